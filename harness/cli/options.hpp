@@ -1,0 +1,54 @@
+// What was typed, as plain data: one struct a verb. Parsing (parse.hpp) knows the library, the verbs know only this.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace rasterdiff::harness::cli {
+
+struct DriverChoice {
+  std::string driver = "lavapipe";  ///< also "none" for `explain`
+  std::string rules = "auto";       ///< "auto", "spec" or a profile
+  double timeoutSeconds = 20;
+  bool validate = false;
+};
+
+struct CheckOptions {
+  std::vector<std::string> scenes;  ///< empty = the whole catalogue
+  DriverChoice choice;
+  std::string report, json, junit, dump;  ///< paths; empty = not wanted
+  uint32_t shard = 1, shards = 1;         ///< 1-based
+  uint32_t jobs = 0;                      ///< 0 = one a core
+  std::optional<uint64_t> count;          ///< random triangles over all random families of the selection
+  uint64_t seed = 1;
+};
+
+struct RenderOptions {
+  std::string scene, folder;
+  bool withDriver = false;
+  DriverChoice choice;
+};
+
+struct ExplainOptions {
+  std::string scene;
+  uint32_t x = 0, y = 0, sample = 0;
+  DriverChoice choice;
+};
+
+struct DevicesOptions {
+  bool json = false;
+};
+
+struct ListOptions {
+  enum class What { Scenes, Rules, Mutants, Freedoms };
+  std::string glob = "*";
+  What what = What::Scenes;
+  bool json = false;
+};
+
+using Verb = std::variant<CheckOptions, RenderOptions, ExplainOptions, DevicesOptions, ListOptions>;
+
+}  // namespace rasterdiff::harness::cli

@@ -1,0 +1,188 @@
+#include "harness/cli/parse.hpp"
+
+#include <CLI/CLI.hpp>
+#include <map>
+
+namespace rasterdiff::harness::cli {
+namespace {
+
+constexpr const char* kAbout =
+    "Draws a scene with a reference rasterizer and with a Vulkan driver, and explains every sample that differs.";
+
+constexpr const char* kMainExamples = R"(Examples:
+  rasterdiff check                                     the whole catalogue on lavapipe
+  rasterdiff check 'fill/*' --driver swiftshader       some of it on another driver
+  rasterdiff explain fill/shared-diagonal 12 12        why is this sample covered?
+  rasterdiff devices                                   which drivers are here?
+
+Exit status: 0 nothing unexpected; 1 a difference that nothing allows; 2 usage or bad input; 3 no usable device;
+4 the driver crashed or hung.)";
+
+constexpr const char* kCheckExamples = R"(SCENE is a catalogue name or glob ('fill/*'), a *.scene.json file, or a folder of them. None: the whole catalogue.
+
+Examples:
+  rasterdiff check --report report.html --json results.json
+  rasterdiff check 'mesh/*' --driver swiftshader --rules spec
+  rasterdiff check my.scene.json --dump planes
+  rasterdiff check 'random/*' --count 1000000 --seed 7
+  rasterdiff check --driver mutant:truncating-snap     is this deliberate error caught?
+  rasterdiff check --shard 2/8 --junit shard2.xml      one of eight machines)";
+
+constexpr const char* kRenderExamples = R"(Writes one PNG (samples averaged) and one .npy (every sample) a plane.
+
+Examples:
+  rasterdiff render mesh/bunny --with reference -o bunny
+  rasterdiff render my.scene.json --with driver --driver swiftshader -o out)";
+
+constexpr const char* kExplainExamples = R"(Examples:
+  rasterdiff explain fill/shared-diagonal 12 12
+  rasterdiff explain my.scene.json 3 4 --sample 2 --driver swiftshader
+  rasterdiff explain fill/shared-diagonal 12 12 --driver none     the reference alone)";
+
+constexpr const char* kDevicesExamples = R"(Examples:
+  rasterdiff devices
+  rasterdiff devices --json)";
+
+constexpr const char* kListExamples = R"(Examples:
+  rasterdiff list
+  rasterdiff list 'clip/*'
+  rasterdiff list --rules          which scenes exercise which rule
+  rasterdiff list --mutants        deliberate errors for --driver mutant:NAME
+  rasterdiff list --freedoms       what the specification leaves open)";
+
+void addDriverOptions(CLI::App& verb, DriverChoice& choice, const std::string& alsoDrivers) {
+  verb.add_option("--driver", choice.driver,
+                  "lavapipe, swiftshader, the path of an ICD manifest (*.json), mutant:NAME" + alsoDrivers)
+      ->capture_default_str();
+  verb.add_option("--rules", choice.rules,
+                  "auto (the driver's profile if one is known, else spec), spec, or a profile: reference, lavapipe")
+      ->capture_default_str();
+  verb.add_option("--timeout", choice.timeoutSeconds, "Seconds a driver may take over one submit")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
+}
+
+/// "K/N" with 1 <= K <= N.
+std::string readShard(const std::string& text, CheckOptions& options) {
+  try {
+    size_t used = 0;
+    const size_t slash = text.find('/');
+    const std::string k = text.substr(0, slash), n = slash == std::string::npos ? "" : text.substr(slash + 1);
+    const bool digits = !k.empty() && !n.empty() && (k + n).find_first_not_of("0123456789") == std::string::npos;
+    if (digits && (k + n).size() < 10) {
+      options.shard = static_cast<uint32_t>(std::stoul(k, &used));
+      options.shards = static_cast<uint32_t>(std::stoul(n, &used));
+      if (options.shard >= 1 && options.shard <= options.shards) return {};
+    }
+  } catch (const std::exception&) {
+  }
+  return "wants K/N with 1 <= K <= N, as in 2/8";
+}
+
+void addCheck(CLI::App& app, CheckOptions& options) {
+  CLI::App* verb = app.add_subcommand("check", "Render with both, compare every sample and value");
+  verb->footer(kCheckExamples);
+  verb->add_option("SCENE", options.scenes, "Catalogue glob, scene file or folder");
+  addDriverOptions(*verb, options.choice, ", fault:KIND[=GLOB] (self-test)");
+  verb->add_option("--report", options.report, "Write one self-contained HTML file");
+  verb->add_option("--json", options.json, "Write the results as JSON");
+  verb->add_option("--junit", options.junit, "Write the results as JUnit XML");
+  verb->add_option("--dump", options.dump, "Write both sides' planes as .npy below this folder");
+  verb->add_option_function<std::string>(
+          "--shard",
+          [&options](const std::string& text) {
+            if (const std::string wrong = readShard(text, options); !wrong.empty()) {
+              throw CLI::ValidationError("--shard", wrong);
+            }
+          },
+          "Only the K-th of N parts of the work")
+      ->type_name("K/N");
+  verb->add_option("--jobs", options.jobs, "Worker processes (0: one a core)")->check(CLI::Range(0U, 256U));
+  verb->add_option("--count", options.count,
+                   "Random triangles, shared out over the selected random/* families in whole batches of 500")
+      ->check(CLI::Range(uint64_t{1}, uint64_t{1} << 40));
+  verb->add_option("--seed", options.seed, "Seed of --count")
+      ->check(CLI::Range(uint64_t{0}, uint64_t{1} << 32))
+      ->needs("--count")
+      ->capture_default_str();
+  verb->add_flag("--validate", options.choice.validate, "Khronos validation with synchronization validation");
+}
+
+void addRender(CLI::App& app, RenderOptions& options) {
+  CLI::App* verb = app.add_subcommand("render", "Draw a scene with one side alone, as PNG and .npy");
+  verb->footer(kRenderExamples);
+  verb->add_option("SCENE", options.scene, "Catalogue name or scene file")->required();
+  verb->add_option_function<std::string>(
+          "--with", [&options](const std::string& with) { options.withDriver = with == "driver"; },
+          "Which side draws")
+      ->check(CLI::IsMember({"reference", "driver"}))
+      ->required();
+  verb->add_option("-o,--output", options.folder, "Folder for the files; made if it is missing")->required();
+  addDriverOptions(*verb, options.choice, "");
+}
+
+void addExplain(CLI::App& app, ExplainOptions& options) {
+  CLI::App* verb = app.add_subcommand("explain", "Why a sample is covered or not, and by whom");
+  verb->footer(kExplainExamples);
+  verb->add_option("SCENE", options.scene, "Catalogue name or scene file")->required();
+  verb->add_option("X", options.x, "Pixel column, 0 = left")->required();
+  verb->add_option("Y", options.y, "Pixel row, 0 = top")->required();
+  verb->add_option("--sample", options.sample, "Sample of the pixel")->capture_default_str();
+  addDriverOptions(*verb, options.choice, ", none");
+}
+
+void addList(CLI::App& app, ListOptions& options) {
+  CLI::App* verb = app.add_subcommand("list", "The catalogue, rules, deliberate errors, freedoms");
+  verb->footer(kListExamples);
+  verb->add_option("GLOB", options.glob, "Only scenes whose name matches")->capture_default_str();
+  CLI::Option_group* what = verb->add_option_group("What");
+  const auto add = [&](const char* name, ListOptions::What value, const char* text) {
+    what->add_flag_callback(name, [&options, value] { options.what = value; }, text);
+  };
+  add("--rules", ListOptions::What::Rules, "Rules and the scenes that exercise them");
+  add("--mutants", ListOptions::What::Mutants, "Deliberate errors");
+  add("--freedoms", ListOptions::What::Freedoms, "Freedoms of the specification");
+  what->require_option(0, 1);
+  verb->add_flag("--json", options.json, "As JSON");
+}
+
+}  // namespace
+
+tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
+  CLI::App app(kAbout, "rasterdiff");
+  app.footer(kMainExamples);
+  app.set_version_flag("--version", "rasterdiff " RASTERDIFF_VERSION);
+  app.require_subcommand(1);
+  CheckOptions check;
+  RenderOptions render;
+  ExplainOptions explain;
+  DevicesOptions devices;
+  ListOptions list;
+  addCheck(app, check);
+  addRender(app, render);
+  addExplain(app, explain);
+  CLI::App* devicesVerb = app.add_subcommand("devices", "Which drivers are here, with the limits that matter");
+  devicesVerb->footer(kDevicesExamples);
+  devicesVerb->add_flag("--json", devices.json, "As JSON");
+  addList(app, list);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    const std::vector<CLI::App*> given = app.get_subcommands();
+    return tl::unexpected(NothingToRun{0, given.empty() ? app.help() : given.front()->help(), {}});
+  } catch (const CLI::CallForVersion& version) {
+    return tl::unexpected(NothingToRun{0, std::string(version.what()) + "\n", {}});
+  } catch (const CLI::ParseError& error) {
+    const std::vector<CLI::App*> given = app.get_subcommands();
+    const std::string verb = given.empty() ? "" : " " + given.front()->get_name();
+    return tl::unexpected(NothingToRun{2, "rasterdiff" + verb + ": " + error.what(), "rasterdiff" + verb + " --help"});
+  }
+  const std::string verb = app.get_subcommands().front()->get_name();
+  if (verb == "check") return check;
+  if (verb == "render") return render;
+  if (verb == "explain") return explain;
+  if (verb == "devices") return devices;
+  return list;
+}
+
+}  // namespace rasterdiff::harness::cli

@@ -1,0 +1,168 @@
+#include "harness/cli/scene_check.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "harness/cli/pool.hpp"
+#include "harness/compare/compare.hpp"
+#include "harness/report/npy.hpp"
+#include "harness/report/picture.hpp"
+#include "rasterizer/render.hpp"
+
+namespace rasterdiff::harness::cli {
+namespace {
+
+constexpr uint32_t kWidestPicture = 960, kThumbnail = 96;  // pixels
+
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// "fill/a" → fill/a, "../x/y.scene.json" → _/x/y.scene.json: always below the dump folder.
+std::filesystem::path dumpFolder(const std::filesystem::path& root, std::string_view address) {
+  std::filesystem::path folder = root;
+  while (!address.empty()) {
+    const size_t slash = address.find('/');
+    if (slash != 0) folder /= planeFileName(address.substr(0, slash));
+    address.remove_prefix(slash == std::string_view::npos ? address.size() : slash + 1);
+  }
+  return folder;
+}
+
+Result<void> dump(const std::filesystem::path& root, const Job& job, const Frame& reference, const Frame& actual) {
+  const std::filesystem::path folder = dumpFolder(root, job.address);
+  if (auto files = writeNpyFiles(folder / "reference", reference); !files) return tl::unexpected(files.error());
+  if (auto files = writeNpyFiles(folder / "driver", actual); !files) return tl::unexpected(files.error());
+  return {};
+}
+
+Result<Pictures> picturesOf(const Frame& reference, const Frame& actual, const SceneResult& result) {
+  const Image left = shrunk(glanceImage(reference), kWidestPicture, Shrink::Average);
+  const Image right = shrunk(glanceImage(actual), kWidestPicture, Shrink::Average);
+  const Image difference = shrunk(differenceImage(reference, actual, result), kWidestPicture, Shrink::Worst);
+  Pictures pictures;
+  pictures.width = left.width;
+  pictures.height = left.height;
+  const Image thumbnail = shrunk(left, kThumbnail, Shrink::Average);
+  for (const auto& [image, file] : {std::pair{&left, &pictures.reference}, {&right, &pictures.driver},
+                                    {&difference, &pictures.difference}, {&thumbnail, &pictures.thumbnail}}) {
+    Result<std::string> png = encodePng(*image);
+    if (!png) return tl::unexpected(png.error());
+    *file = std::move(*png);
+  }
+  return pictures;
+}
+
+uint64_t primitivesOf(const Scene& scene) {
+  uint64_t primitives = 0;
+  for (const Draw& draw : scene.draws) primitives += primitiveCount(scene.state.topology, vertexCount(draw));
+  return primitives;
+}
+
+/// The verdict that an error of the driver amounts to; none for errors that are not the driver's.
+std::optional<Verdict> verdictOf(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::NotOffered: return Verdict::Skipped;
+    case ErrorCode::DeviceLost: return Verdict::Crashed;
+    case ErrorCode::TimedOut: return Verdict::TimedOut;
+    case ErrorCode::BadInput:
+    case ErrorCode::Io:
+    case ErrorCode::NoDevice: return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+void conclude(CheckedScene& checked, const Error& error) {
+  const std::optional<Verdict> verdict = verdictOf(error.code);
+  if (!verdict) {
+    checked.entry.error = error;
+    return;
+  }
+  checked.entry.result.verdict = *verdict;
+  checked.entry.result.reason = error.where.empty() ? error.what : error.where + ": " + error.what;
+  checked.subjectLost = *verdict != Verdict::Skipped;
+}
+
+/// Everything that can fail, in order; the caller turns the error into a verdict.
+Result<void> drawAndCompare(SceneEntry& entry, const Job& job, Subject& subject, const rasterizer::Rules& rules,
+                            const CheckSettings& settings, const std::function<void(std::string_view)>& entering) {
+  entering("scene");
+  Result<Scene> scene = job.make();
+  if (!scene) return tl::unexpected(scene.error());
+  scene->name = job.id;
+  if (Result<void> valid = validate(*scene); !valid) return valid;
+  entry.width = scene->target.width;
+  entry.height = scene->target.height;
+  entry.samplesPerPixel = scene->target.samples;
+  entry.primitives = primitivesOf(*scene);
+
+  Seconds seconds;
+  entering(kDriverPhase);
+  const Stopwatch driverWatch;
+  const Result<Frame> actual = subject.render(*scene);
+  seconds.driver = driverWatch.seconds();
+  if (!actual) return tl::unexpected(actual.error());
+
+  entering("reference");
+  rasterizer::RuleCounts counts;
+  const Stopwatch referenceWatch;
+  const Result<Frame> reference = rasterizer::render(*scene, rules, &counts);
+  seconds.reference = referenceWatch.seconds();
+  if (!reference) return tl::unexpected(reference.error());
+
+  entering("compare");
+  const Stopwatch compareWatch;
+  Result<SceneResult> result = compare(*scene, rules, *reference, *actual);
+  seconds.compare = compareWatch.seconds();
+  if (!result) return tl::unexpected(result.error());
+  entry.result = std::move(*result);
+  entry.result.id = job.id;
+  entry.result.seconds = seconds;
+  for (const rasterizer::RuleInfo& rule : rasterizer::countedRules()) {
+    if (counts[rule.rule] > 0) entry.result.ruleCoverage[std::string(rule.id)] += counts[rule.rule];
+  }
+
+  entering("report");
+  if (settings.dump) {
+    if (Result<void> dumped = dump(*settings.dump, job, *reference, *actual); !dumped) return dumped;
+  }
+  if (!settings.pictures) return {};
+  Result<Pictures> pictures = picturesOf(*reference, *actual, entry.result);
+  if (!pictures) return tl::unexpected(pictures.error());
+  entry.pictures = std::move(*pictures);
+  return {};
+}
+
+}  // namespace
+
+SceneEntry entryOf(const Job& job) {
+  SceneEntry entry;
+  entry.result.id = job.id;
+  entry.address = job.address;
+  entry.what = job.what;
+  entry.link = job.link;
+  entry.rules = job.rules;
+  return entry;
+}
+
+CheckedScene checkScene(const Job& job, Subject& subject, const rasterizer::Rules& rules,
+                        const CheckSettings& settings, const std::function<void(std::string_view)>& entering) {
+  CheckedScene checked{entryOf(job), false};
+  const size_t messagesBefore = subject.validationMessages().size();
+  if (const Result<void> drawn = drawAndCompare(checked.entry, job, subject, rules, settings, entering); !drawn) {
+    conclude(checked, drawn.error());
+  }
+  const std::vector<std::string> messages = subject.validationMessages();
+  checked.entry.validationMessages.assign(messages.begin() + static_cast<std::ptrdiff_t>(messagesBefore),
+                                          messages.end());
+  return checked;
+}
+
+}  // namespace rasterdiff::harness::cli

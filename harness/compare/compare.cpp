@@ -1,0 +1,223 @@
+#include "harness/compare/compare.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "harness/compare/legal_outcomes.hpp"
+#include "harness/compare/value_accumulator.hpp"
+
+namespace rasterdiff::harness {
+namespace {
+
+using rasterizer::Candidate;
+using rasterizer::Freedom;
+using rasterizer::SampleQuery;
+
+constexpr size_t kQueriesAtOnce = size_t{1} << 18;  // bounds the memory of evidence
+
+std::string describe(uint32_t primitive) { return primitive == 0 ? "none" : fmt::format("primitive {}", primitive); }
+
+std::string whatIsWrong(const SampleDifference& d) {
+  if (d.expectedPrimitive == d.actualPrimitive) {
+    return fmt::format("written {} time(s) where {} is right", d.actualCount, d.expectedCount);
+  }
+  return fmt::format("{} where {} is right", describe(d.actualPrimitive), describe(d.expectedPrimitive));
+}
+
+class Comparison {
+ public:
+  Comparison(const Scene& scene, const rasterizer::Rules& rules, const Frame& reference, const Frame& actual)
+      : scene_(scene), rules_(rules), reference_(reference), actual_(actual) {
+    if (reference.depth) values_.emplace_back("depth");
+    for (const VaryingPlane& varying : reference.varyings) values_.emplace_back(varying.name);
+  }
+
+  Result<SceneResult> run() {
+    result_.id = scene_.name;
+    result_.samples = reference_.primitive.data.size();
+    const size_t samples = reference_.samples, width = reference_.width;
+    for (size_t i = 0; i < result_.samples; ++i) {
+      const uint32_t winner = reference_.primitive.data[i];
+      if (winner != 0) ++result_.coveredSamples;
+      const bool same = winner == actual_.primitive.data[i] && reference_.count.data[i] == actual_.count.data[i];
+      if (same) ++result_.same;
+      if (!same || !values_.empty()) {
+        const auto pixel = static_cast<uint32_t>(i / samples);
+        const SampleQuery place{pixel % static_cast<uint32_t>(width), pixel / static_cast<uint32_t>(width),
+                                static_cast<uint32_t>(i % samples)};
+        if (winner == actual_.primitive.data[i]) compareValues(place, i, winner != 0);
+        if (!same) queries_.push_back(place);
+      }
+      if (queries_.size() == kQueriesAtOnce) {
+        if (Result<void> judged = judgeQueries(); !judged) return tl::unexpected<Error>(judged.error());
+      }
+    }
+    if (Result<void> judged = judgeQueries(); !judged) return tl::unexpected<Error>(judged.error());
+    finish();
+    return std::move(result_);
+  }
+
+ private:
+  void compareValues(const SampleQuery& place, size_t index, bool drawn) {
+    size_t plane = 0;
+    const auto compareOne = [&](uint32_t component, float expected, float actual, Bounds legal) {
+      const ValueAccumulator::Place at{place.x, place.y, place.sample, component};
+      if (drawn) {
+        values_[plane].add(at, expected, actual, legal);
+      } else {
+        values_[plane].addUndrawn(at, expected, actual);
+      }
+    };
+    if (reference_.depth) {
+      compareOne(0, reference_.depth->data[index], actual_.depth->data[index], reference_.depthBounds->data[index]);
+      ++plane;
+    }
+    for (size_t v = 0; v < reference_.varyings.size(); ++v, ++plane) {
+      const VaryingPlane& expected = reference_.varyings[v];
+      const size_t components = expected.values.components;
+      for (size_t c = 0; c < components; ++c) {
+        const size_t at = index * components + c;
+        compareOne(static_cast<uint32_t>(c), expected.values.data[at], actual_.varyings[v].values.data[at],
+                   expected.bounds->data[at]);
+      }
+    }
+  }
+
+  // Values of a sample whose legal winner is not the nominal one: judged against that winner's own intervals.
+  void compareOtherWinner(const SampleQuery& place, size_t index, const Candidate& winner) {
+    size_t plane = 0, flattened = 0;
+    const auto middle = [](Bounds b) { return b.lo == b.hi ? b.lo : b.lo + (b.hi - b.lo) / 2; };
+    const auto compareOne = [&](uint32_t component, float actual, Bounds legal) {
+      if (legal.hi - legal.lo == std::numeric_limits<float>::infinity()) return;
+      values_[plane].add({place.x, place.y, place.sample, component}, middle(legal), actual, legal);
+    };
+    if (actual_.depth) {
+      if (scene_.state.depthTestEnable && scene_.state.depthWriteEnable) {
+        compareOne(0, actual_.depth->data[index], winner.depth);
+      }
+      ++plane;
+    }
+    for (const VaryingPlane& varying : actual_.varyings) {
+      const size_t components = varying.values.components;
+      for (size_t c = 0; c < components; ++c) {
+        compareOne(static_cast<uint32_t>(c), varying.values.data[index * components + c], winner.varyings[flattened++]);
+      }
+      ++plane;
+    }
+  }
+
+  Result<void> judgeQueries() {
+    if (queries_.empty()) return {};
+    const auto evidence = rasterizer::candidates(scene_, rules_, queries_);
+    if (!evidence) return tl::unexpected<Error>(evidence.error());
+    for (size_t q = 0; q < queries_.size(); ++q) judge(queries_[q], (*evidence)[q]);
+    queries_.clear();
+    return {};
+  }
+
+  void judge(const SampleQuery& place, const std::vector<Candidate>& candidates) {
+    const size_t index = reference_.primitive.index(place.x, place.y, place.sample);
+    SampleDifference d;
+    d.x = place.x;
+    d.y = place.y;
+    d.sample = place.sample;
+    d.expectedPrimitive = reference_.primitive.data[index];
+    d.actualPrimitive = actual_.primitive.data[index];
+    d.expectedCount = reference_.count.data[index];
+    d.actualCount = actual_.count.data[index];
+    const Outcome outcome = judgeOutcome(scene_.state, scene_.target.depthClearValue, reference_.depth.has_value(),
+                                         candidates, d.actualPrimitive, d.actualCount);
+    if (outcome.legal) {
+      const rasterizer::FreedomInfo& freedom = rasterizer::info(outcome.freedom);
+      d.verdict = Verdict::Allowed;
+      d.reason = freedom.id;
+      d.anchor = freedom.anchor;
+      ++result_.allowed;
+      ++result_.freedoms[d.reason];
+      if (outcome.winner != nullptr && d.actualPrimitive != d.expectedPrimitive) {
+        compareOtherWinner(place, index, *outcome.winner);
+      }
+    } else {
+      d.verdict = Verdict::Differs;
+      d.reason = whatIsWrong(d);
+      d.anchor = "vk:primsrast-polygons-basic";
+      ++result_.differing;
+    }
+    list(std::move(d));
+  }
+
+  void list(SampleDifference d) {
+    std::vector<SampleDifference>& listed = d.verdict == Verdict::Differs ? differing_ : allowed_;
+    if (listed.size() < kListedDifferences) listed.push_back(std::move(d));
+  }
+
+  void finish() {
+    result_.differences = std::move(differing_);
+    for (SampleDifference& d : allowed_) {
+      if (result_.differences.size() == kListedDifferences) break;
+      result_.differences.push_back(std::move(d));
+    }
+    uint64_t valuesAllowed = 0, valuesDiffering = 0;
+    std::string wrongPlanes;
+    for (ValueAccumulator& accumulator : values_) {
+      result_.values.push_back(accumulator.take());
+      const ValueStats& stats = result_.values.back();
+      valuesAllowed += stats.allowed;
+      valuesDiffering += stats.differing;
+      if (stats.differing > 0) wrongPlanes += fmt::format("{}{}", wrongPlanes.empty() ? "" : ", ", stats.name);
+    }
+    if (valuesAllowed > 0) result_.freedoms[std::string(rasterizer::info(Freedom::Evaluation).id)] += 0;
+    if (result_.differing > 0 || valuesDiffering > 0) {
+      result_.verdict = Verdict::Differs;
+      if (result_.differing > 0) result_.reason = fmt::format("{} sample(s) differ in coverage", result_.differing);
+      if (valuesDiffering > 0) {
+        result_.reason += fmt::format("{}{} value(s) outside their interval: {}", result_.reason.empty() ? "" : "; ",
+                                      valuesDiffering, wrongPlanes);
+      }
+      return;
+    }
+    if (result_.allowed == 0 && valuesAllowed == 0) return;
+    result_.verdict = Verdict::Allowed;
+    for (const auto& [freedom, count] : result_.freedoms) {
+      result_.reason += (result_.reason.empty() ? "" : ", ") + freedom;
+    }
+  }
+
+  const Scene& scene_;
+  const rasterizer::Rules& rules_;
+  const Frame& reference_;
+  const Frame& actual_;
+  SceneResult result_;
+  std::vector<ValueAccumulator> values_;
+  std::vector<SampleQuery> queries_;
+  std::vector<SampleDifference> differing_, allowed_;
+};
+
+template <class T>
+bool alike(const Plane<T>& a, const Plane<T>& b) {
+  return a.data.size() == b.data.size() && a.samples == b.samples && a.components == b.components && a.width == b.width;
+}
+
+bool alike(const Frame& a, const Frame& b) {
+  if (!alike(a.primitive, b.primitive) || !alike(a.count, b.count) || a.depth.has_value() != b.depth.has_value() ||
+      a.varyings.size() != b.varyings.size()) {
+    return false;
+  }
+  for (size_t v = 0; v < a.varyings.size(); ++v) {
+    if (!alike(a.varyings[v].values, b.varyings[v].values)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<SceneResult> compare(const Scene& scene, const rasterizer::Rules& rules, const Frame& reference,
+                            const Frame& actual) {
+  if (!alike(reference, actual)) {
+    return fail(ErrorCode::BadInput, scene.name, "the two frames do not have the same planes",
+                "both have to be rendered from this scene");
+  }
+  return Comparison(scene, rules, reference, actual).run();
+}
+
+}  // namespace rasterdiff::harness

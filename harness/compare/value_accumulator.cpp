@@ -1,0 +1,58 @@
+#include "harness/compare/value_accumulator.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "harness/compare/ulp.hpp"
+
+namespace rasterdiff::harness {
+namespace {
+
+ValueStats::Worst worstAt(const ValueAccumulator::Place& place, float expected, float actual, Bounds legal) {
+  return {place.x, place.y, place.sample, place.component, expected, actual, legal.lo, legal.hi};
+}
+
+}  // namespace
+
+void ValueAccumulator::differs(const Place& place, float expected, float actual, Bounds legal) {
+  ++stats_.differing;
+  if (!stats_.firstDiffering) stats_.firstDiffering = worstAt(place, expected, actual, legal);
+}
+
+void ValueAccumulator::add(const Place& place, float expected, float actual, Bounds legal) {
+  ++stats_.compared;
+  if (std::bit_cast<uint32_t>(expected) == std::bit_cast<uint32_t>(actual)) {
+    ++stats_.same;
+    return;
+  }
+  const double ulps = ulpDistance(expected, actual);
+  if (std::isfinite(ulps)) ulpSum_ += ulps;
+  if (ulps > stats_.maxUlp || !stats_.worst) {
+    stats_.maxUlp = std::max(stats_.maxUlp, ulps);
+    stats_.worst = worstAt(place, expected, actual, legal);
+  }
+  const double error = double{actual} - expected;
+  if (std::isfinite(error)) stats_.maxAbs = std::max(stats_.maxAbs, std::fabs(error));
+  const double reach = error > 0 ? double{legal.hi} - expected : double{expected} - legal.lo;
+  if (reach > 0 && std::isfinite(error)) stats_.maxRatio = std::max(stats_.maxRatio, std::fabs(error) / reach);
+
+  if (ulps == 0) {
+    ++stats_.same;  // -0 and +0
+  } else if (actual >= legal.lo && actual <= legal.hi) {
+    ++stats_.allowed;
+  } else {
+    differs(place, expected, actual, legal);
+  }
+}
+
+void ValueAccumulator::addUndrawn(const Place& place, float clear, float actual) {
+  if (std::bit_cast<uint32_t>(clear) != std::bit_cast<uint32_t>(actual)) differs(place, clear, actual, {clear, clear});
+}
+
+ValueStats ValueAccumulator::take() {
+  stats_.meanUlp = stats_.compared == 0 ? 0 : ulpSum_ / static_cast<double>(stats_.compared);
+  return std::move(stats_);
+}
+
+}  // namespace rasterdiff::harness

@@ -1,0 +1,57 @@
+// What the comparison says of a scene, a sample, a value.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rasterdiff::harness {
+
+enum class Verdict : uint8_t { Same, Allowed, Differs, Skipped, Crashed, TimedOut };
+[[nodiscard]] std::string_view toString(Verdict verdict);
+
+/// One sample where the driver's answer is not the reference's nominal one.
+struct SampleDifference {
+  uint32_t x = 0, y = 0, sample = 0;
+  Verdict verdict = Verdict::Differs;
+  std::string reason;  ///< freedom id ("tie-owner") if Allowed; what is wrong if Differs
+  std::string anchor;
+  uint32_t expectedPrimitive = 0, actualPrimitive = 0;
+  uint32_t expectedCount = 0, actualCount = 0;
+};
+
+/// Statistics of one value plane over the samples where both sides have the same primitive.
+struct ValueStats {
+  std::string name;  ///< "depth" or the varying's name
+  uint64_t compared = 0, same = 0, allowed = 0, differing = 0;
+  double maxUlp = 0, meanUlp = 0, maxAbs = 0;
+  double maxRatio = 0;  ///< largest error / (half-width of the legal interval): above 1 differs
+  struct Worst {
+    uint32_t x = 0, y = 0, sample = 0, component = 0;
+    float expected = 0, actual = 0, lo = 0, hi = 0;
+  };
+  std::optional<Worst> worst;           ///< largest error in ULPs
+  std::optional<Worst> firstDiffering;
+};
+
+struct Seconds {
+  double reference = 0, driver = 0, compare = 0;
+};
+
+struct SceneResult {
+  std::string id;
+  Verdict verdict = Verdict::Same;
+  std::string reason;  ///< freedom ids used, or what is wrong, or why it was skipped
+  uint64_t samples = 0, same = 0, allowed = 0, differing = 0;  ///< coverage: samples = same + allowed + differing
+  uint64_t coveredSamples = 0;
+  std::map<std::string, uint64_t> freedoms;    ///< freedom id → samples explained by it
+  std::vector<SampleDifference> differences;   ///< the first ones, Differs before Allowed; counts above are complete
+  std::vector<ValueStats> values;
+  std::map<std::string, uint64_t> ruleCoverage;  ///< rule name → times it decided
+  Seconds seconds;
+};
+
+}  // namespace rasterdiff::harness

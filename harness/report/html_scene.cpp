@@ -1,0 +1,171 @@
+// One scene of the HTML report: verdict and picture in its head; pictures, numbers, places and commands inside.
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "harness/report/base64.hpp"
+#include "harness/report/html.hpp"
+#include "harness/report/markup.hpp"
+#include "harness/report/numbers.hpp"
+
+namespace rasterdiff::harness {
+namespace {
+
+constexpr size_t kShownPlaces = 16;
+constexpr uint32_t kPixelsShowBelow = 300;  // smaller pictures are enlarged: their pixels stay square
+
+using Out = std::back_insert_iterator<std::string>;
+
+bool failed(const SceneEntry& entry) {
+  const Verdict verdict = entry.result.verdict;
+  return entry.error || !entry.validationMessages.empty() || verdict == Verdict::Differs ||
+         verdict == Verdict::Crashed || verdict == Verdict::TimedOut;
+}
+
+std::string numbersOf(const SceneEntry& entry) {
+  const SceneResult& result = entry.result;
+  if (result.samples == 0) return {};
+  std::string text = fmt::format("{} samples", grouped(result.samples));
+  if (result.differing > 0) text += fmt::format("<br>{} differ", grouped(result.differing));
+  if (result.allowed > 0) text += fmt::format("<br>{} allowed", grouped(result.allowed));
+  return text;
+}
+
+void writeHead(Out out, const SceneEntry& entry) {
+  const SceneResult& result = entry.result;
+  fmt::format_to(out, "<summary>");
+  const Pictures& pictures = entry.pictures;
+  fmt::format_to(out, "{}",
+                 pictures.thumbnail.empty()
+                     ? "<span class=\"thumb\"></span>"
+                     : fmt::format("<img class=\"thumb{}\" alt=\"\" src=\"data:image/png;base64,{}\">",
+                                   pictures.width < kPixelsShowBelow ? " pixels" : "", toBase64(pictures.thumbnail)));
+  fmt::format_to(out, "<span class=\"name\"><span class=\"chip {0}\">{0}</span> {1}<span class=\"what\">{2}</span></span>",
+                 verdictName(entry), escaped(result.id), escaped(entry.what));
+  fmt::format_to(out, "<span class=\"numbers\">{}</span></summary>\n", numbersOf(entry));
+}
+
+void writePictures(Out out, const SceneEntry& entry) {
+  const Pictures& pictures = entry.pictures;
+  if (pictures.reference.empty()) return;
+  const auto figure = [&](const std::string& png, const std::string& caption, std::string_view what) {
+    fmt::format_to(out, "<figure>{}<figcaption>{}</figcaption></figure>\n",
+                   htmlPicture(png, pictures.width, pictures.height, what), caption);
+  };
+  fmt::format_to(out, "<div class=\"pictures\">\n");
+  if (pictures.reference == pictures.driver) {
+    figure(pictures.reference, "Reference and driver: the same picture", "reference and driver");
+  } else {
+    figure(pictures.reference, "Reference", "reference");
+    figure(pictures.driver, "Driver", "driver");
+  }
+  figure(pictures.difference,
+         "Difference<span class=\"key\" style=\"background:#e22030\"></span>differs"
+         "<span class=\"key\" style=\"background:#f5c518\"></span>allowed"
+         "<span class=\"key\" style=\"background:#966c1c\"></span>value allowed"
+         "<span class=\"key\" style=\"background:#80848c\"></span>same",
+         "difference");
+  fmt::format_to(out, "</div>\n");
+}
+
+void writeFacts(Out out, const SceneEntry& entry) {
+  const SceneResult& result = entry.result;
+  if (result.samples == 0) return;
+  fmt::format_to(out, "<p>{} × {} pixels, {}, {}, {} covered.", entry.width, entry.height,
+                 counted(entry.samplesPerPixel, "sample"), counted(entry.primitives, "primitive"),
+                 counted(result.coveredSamples, "sample"));
+  if (entry.batches > 1) fmt::format_to(out, " {} added up.", counted(entry.batches, "batch of random triangles"));
+  fmt::format_to(out, " <b>{}</b> same, <b>{}</b> allowed, <b>{}</b> differ.", grouped(result.same),
+                 grouped(result.allowed), grouped(result.differing));
+  fmt::format_to(out, " <span class=\"soft\">Reference {}, driver {}, compare {}.</span></p>\n",
+                 secondsText(result.seconds.reference), secondsText(result.seconds.driver),
+                 secondsText(result.seconds.compare));
+  if (!result.freedoms.empty()) {
+    fmt::format_to(out, "<p>Freedoms used:");
+    for (const auto& [freedom, count] : result.freedoms) {
+      fmt::format_to(out, " <span class=\"chip Allowed\">{} {}</span>", escaped(freedom), grouped(count));
+    }
+    fmt::format_to(out, "</p>\n");
+  }
+  if (!result.ruleCoverage.empty()) {
+    fmt::format_to(out, "<p class=\"soft\">Rules that decided:");
+    for (const auto& [rule, count] : result.ruleCoverage) fmt::format_to(out, " {} {}·", escaped(rule), grouped(count));
+    fmt::format_to(out, "</p>\n");
+  }
+}
+
+void writeValues(Out out, const SceneResult& result) {
+  if (result.values.empty()) return;
+  fmt::format_to(out, "<h3>Values</h3><div class=\"scroll\"><table><thead><tr><th>value</th><th>compared</th><th>same bits</th>"
+                      "<th>allowed</th><th>differ</th><th>max ULP</th><th>mean ULP</th><th>max |error|</th>"
+                      "<th>error / bound</th><th>worst at</th></tr></thead><tbody>\n");
+  for (const ValueStats& value : result.values) {
+    const std::string worst =
+        value.worst ? fmt::format("({}, {}) sample {}: {} for {}", value.worst->x, value.worst->y, value.worst->sample,
+                                  floatText(value.worst->actual), floatText(value.worst->expected))
+                    : "";
+    fmt::format_to(out,
+                   "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"{}\">{}</td><td>{}</td><td>{:.3g}</td>"
+                   "<td>{:.3g}</td><td>{:.3g}</td><td>{}</td></tr>\n",
+                   escaped(value.name), grouped(value.compared), grouped(value.same), grouped(value.allowed),
+                   value.differing > 0 ? "bad" : "zero", grouped(value.differing), ulps(value.maxUlp), value.meanUlp,
+                   value.maxAbs, value.maxRatio, worst);
+  }
+  fmt::format_to(out, "</tbody></table></div>\n");
+}
+
+void writePlaces(Out out, const SceneResult& result) {
+  if (result.differences.empty()) return;
+  fmt::format_to(out, "<h3>Samples that are not the same: the first {} of {}</h3><div class=\"scroll\"><table><thead><tr>"
+                      "<th>pixel</th><th>sample</th><th>verdict</th><th>expected</th><th>got</th><th>drawn</th><th>reason</th>"
+                      "</tr></thead><tbody>\n",
+                 std::min(kShownPlaces, result.differences.size()), grouped(result.allowed + result.differing));
+  for (size_t i = 0; i < std::min(kShownPlaces, result.differences.size()); ++i) {
+    const SampleDifference& d = result.differences[i];
+    fmt::format_to(out,
+                   "<tr><td>({}, {})</td><td>{}</td><td><span class=\"chip {}\">{}</span></td><td>primitive {}</td>"
+                   "<td>primitive {}</td><td>{} → {}</td><td class=\"text\">{} <code class=\"soft\">{}</code></td></tr>\n",
+                   d.x, d.y, d.sample, toString(d.verdict), toString(d.verdict), d.expectedPrimitive, d.actualPrimitive,
+                   d.expectedCount, d.actualCount, escaped(d.reason), escaped(d.anchor));
+  }
+  fmt::format_to(out, "</tbody></table></div>\n");
+}
+
+}  // namespace
+
+std::string htmlPicture(std::string_view png, uint32_t width, uint32_t height, std::string_view what) {
+  return fmt::format("<img{} width=\"{}\" height=\"{}\" alt=\"{}\" src=\"data:image/png;base64,{}\">",
+                     width < kPixelsShowBelow ? " class=\"pixels\"" : "", width, height, what, toBase64(png));
+}
+
+std::string htmlScene(const Report& report, const SceneEntry& entry) {
+  const SceneResult& result = entry.result;
+  std::string text;
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "<details class=\"scene\"{}>", failed(entry) ? " open" : "");
+  writeHead(out, entry);
+  fmt::format_to(out, "<div class=\"body\">\n");
+  if (entry.error) {
+    fmt::format_to(out, "<p><b>{}: {}</b><br>{}</p>\n", escaped(entry.error->where), escaped(entry.error->what),
+                   escaped(entry.error->hint));
+  } else if (!result.reason.empty()) {
+    fmt::format_to(out, "<p><b>{}</b></p>\n", escaped(result.reason));
+  }
+  if (const std::string command = explainCommand(report, entry); !command.empty()) {
+    fmt::format_to(out, "<pre>{}</pre>\n", escaped(command));
+  }
+  writePictures(out, entry);
+  writeFacts(out, entry);
+  writePlaces(out, result);
+  writeValues(out, result);
+  for (const std::string& message : entry.validationMessages) fmt::format_to(out, "<pre>{}</pre>\n", escaped(message));
+  if (!entry.rules.empty()) {
+    fmt::format_to(out, "<p class=\"soft\">Exercises {}.", escaped(fmt::format("{}", fmt::join(entry.rules, ", "))));
+    if (!entry.link.empty()) fmt::format_to(out, " Comes from {}.", escaped(entry.link));
+    fmt::format_to(out, "</p>\n");
+  }
+  fmt::format_to(out, "</div></details>\n");
+  return text;
+}
+
+}  // namespace rasterdiff::harness

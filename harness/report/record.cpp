@@ -1,0 +1,181 @@
+#include "harness/report/record.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "harness/report/base64.hpp"
+#include "harness/report/json_parts.hpp"
+
+namespace rasterdiff::harness {
+namespace {
+
+double numberIn(const Json& json, const char* key) {
+  const Json& value = json.at(key);
+  if (value.is_number()) return value.get<double>();
+  const std::string word = value.get<std::string>();
+  if (word == "NaN") return std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  return word == "-Infinity" ? -infinity : infinity;
+}
+
+Verdict verdictIn(const Json& json) {
+  constexpr std::array kAll{Verdict::Same,    Verdict::Allowed, Verdict::Differs,
+                            Verdict::Skipped, Verdict::Crashed, Verdict::TimedOut};
+  const std::string name = json.at("verdict").get<std::string>();
+  for (const Verdict verdict : kAll) {
+    if (toString(verdict) == name) return verdict;
+  }
+  throw std::invalid_argument("unknown verdict");
+}
+
+std::optional<ValueStats::Worst> placeIn(const Json& json, const char* key) {
+  if (!json.contains(key)) return std::nullopt;
+  const Json& place = json.at(key);
+  const auto number = [&](const char* name) { return static_cast<float>(numberIn(place, name)); };
+  return ValueStats::Worst{place.at("x"),      place.at("y"),    place.at("sample"), place.at("component"),
+                           number("expected"), number("actual"), number("lo"),       number("hi")};
+}
+
+ValueStats valueIn(const std::string& name, const Json& json) {
+  ValueStats value;
+  value.name = name;
+  value.compared = json.at("compared");
+  value.same = json.at("same");
+  value.allowed = json.at("allowed");
+  value.differing = json.at("differing");
+  value.maxUlp = numberIn(json, "maxUlp");
+  value.meanUlp = numberIn(json, "meanUlp");
+  value.maxAbs = numberIn(json, "maxAbs");
+  value.maxRatio = numberIn(json, "maxRatio");
+  value.worst = placeIn(json, "worst");
+  value.firstDiffering = placeIn(json, "firstDiffering");
+  return value;
+}
+
+SampleDifference differenceIn(const Json& json) {
+  return {json.at("x"),
+          json.at("y"),
+          json.at("sample"),
+          verdictIn(json),
+          json.at("reason"),
+          json.at("anchor"),
+          json.at("expectedPrimitive"),
+          json.at("actualPrimitive"),
+          json.at("expectedCount"),
+          json.at("actualCount")};
+}
+
+SceneResult resultIn(const Json& json) {
+  SceneResult result;
+  result.id = json.at("id");
+  result.verdict = verdictIn(json);
+  result.reason = json.value("reason", "");
+  result.samples = json.at("samples");
+  result.same = json.at("same");
+  result.allowed = json.at("allowed");
+  result.differing = json.at("differing");
+  result.coveredSamples = json.at("coveredSamples");
+  json.at("freedoms").get_to(result.freedoms);
+  json.at("ruleCoverage").get_to(result.ruleCoverage);
+  for (const auto& [name, value] : json.at("values").items()) result.values.push_back(valueIn(name, value));
+  for (const Json& difference : json.at("differences")) result.differences.push_back(differenceIn(difference));
+  const Json& seconds = json.at("seconds");
+  result.seconds = {seconds.at("reference"), seconds.at("driver"), seconds.at("compare")};
+  return result;
+}
+
+ErrorCode codeIn(const Json& json) {
+  for (int code = 0; code <= static_cast<int>(ErrorCode::TimedOut); ++code) {
+    const Error error{static_cast<ErrorCode>(code), {}, {}, {}};
+    if (jsonOf(error).at("code") == json.at("code")) return error.code;
+  }
+  throw std::invalid_argument("unknown error code");
+}
+
+Error errorIn(const Json& json) { return {codeIn(json), json.at("where"), json.at("what"), json.at("hint")}; }
+
+Limits limitsIn(const Json& json) {
+  return {json.at("subPixelPrecisionBits"),   json.at("viewportSubPixelBits"), json.at("framebufferSampleCounts"),
+          json.at("standardSampleLocations"), json.at("maxFramebufferWidth"),  json.at("maxFramebufferHeight"),
+          json.at("provokingVertexLast"),     json.at("depthClipControl")};
+}
+
+/// Runs `read` on the parsed text; whatever the library throws becomes an Error.
+template <class Read>
+auto reading(std::string_view text, Read&& read) -> Result<decltype(read(Json{}))> {
+  try {
+    return read(Json::parse(text));
+  } catch (const std::exception& exception) {
+    return fail(ErrorCode::BadInput, "worker record", exception.what(), "run again with --jobs 1");
+  }
+}
+
+}  // namespace
+
+std::string recordOf(const SceneEntry& entry) {
+  Json json = jsonOf(entry);
+  if (entry.error) json["error"] = jsonOf(*entry.error);
+  const Pictures& pictures = entry.pictures;
+  json["pictures"] = {{"reference", toBase64(pictures.reference)}, {"driver", toBase64(pictures.driver)},
+                      {"difference", toBase64(pictures.difference)}, {"thumbnail", toBase64(pictures.thumbnail)},
+                      {"width", pictures.width}, {"height", pictures.height}};
+  return textOf(json, -1);
+}
+
+std::string recordOf(const RunSubject& subject) {
+  return textOf({{"driver", subject.driver},
+                 {"name", subject.name},
+                 {"info", subject.info},
+                 {"details", subject.details},
+                 {"limits", jsonOf(subject.limits)},
+                 {"rules", subject.rules},
+                 {"rulesOpen", subject.rulesOpen}},
+                -1);
+}
+
+std::string recordOf(const Error& error) { return textOf(jsonOf(error), -1); }
+
+Result<SceneEntry> readSceneRecord(std::string_view text) {
+  return reading(text, [](const Json& json) {
+    SceneEntry entry;
+    entry.result = resultIn(json);
+    entry.address = json.at("scene");
+    entry.what = json.at("what");
+    entry.link = json.value("link", "");
+    json.at("rules").get_to(entry.rules);
+    entry.width = json.at("width");
+    entry.height = json.at("height");
+    entry.samplesPerPixel = json.at("samplesPerPixel");
+    entry.primitives = json.at("primitives");
+    entry.batches = json.at("batches");
+    if (json.contains("validationMessages")) json.at("validationMessages").get_to(entry.validationMessages);
+    if (json.contains("error")) entry.error = errorIn(json.at("error"));
+    const Json& pictures = json.at("pictures");
+    const auto file = [&](const char* name) { return fromBase64(pictures.at(name).get<std::string>()); };
+    entry.pictures = {file("reference"), file("driver"),       file("difference"),
+                      file("thumbnail"), pictures.at("width"), pictures.at("height")};
+    return entry;
+  });
+}
+
+Result<RunSubject> readSubjectRecord(std::string_view text) {
+  return reading(text, [](const Json& json) {
+    RunSubject subject;
+    subject.driver = json.at("driver");
+    subject.name = json.at("name");
+    subject.info = json.at("info");
+    json.at("details").get_to(subject.details);
+    subject.limits = limitsIn(json.at("limits"));
+    subject.rules = json.at("rules");
+    subject.rulesOpen = json.at("rulesOpen");
+    return subject;
+  });
+}
+
+Result<Error> readErrorRecord(std::string_view text) {
+  return reading(text, [](const Json& json) { return errorIn(json); });
+}
+
+}  // namespace rasterdiff::harness

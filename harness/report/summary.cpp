@@ -1,0 +1,189 @@
+#include "harness/report/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iterator>
+
+#include "harness/report/numbers.hpp"
+#include "rasterizer/rule_counts.hpp"
+
+namespace rasterdiff::harness {
+namespace {
+
+constexpr size_t kShownFailures = 10;
+constexpr size_t kShownSkips = 12;
+
+using Out = std::back_insert_iterator<std::string>;
+
+void writeHead(Out out, const Report& report) {
+  const RunSubject& subject = report.subject;
+  fmt::format_to(out, "driver    {}: {}", subject.name, subject.info);
+  for (const auto& [name, value] : subject.details) {
+    if (name != "manifest") fmt::format_to(out, ", {}", name == "apiVersion" ? "Vulkan " + value : value);
+  }
+  fmt::format_to(out, "\nrules     {}, {} subpixel bits\n\n",
+                 subject.rulesOpen ? "the Vulkan specification, every choice open"
+                                   : fmt::format("profile {}: coverage must agree exactly", subject.rules),
+                 subject.limits.subPixelPrecisionBits);
+}
+
+void writeRow(Out out, std::string_view family, const Totals& totals) {
+  fmt::format_to(out, "{:<14} {:>6} {:>15} {:>15} {:>11} {:>9} {:>15} {:>9} {:>12}\n", family,
+                 grouped(totals.scenes + totals.errors), grouped(totals.samples), grouped(totals.same),
+                 grouped(totals.allowed), grouped(totals.differing), grouped(totals.values),
+                 grouped(totals.valuesDiffering), totals.values > 0 ? ulps(totals.maxUlp) : "-");
+}
+
+void writeTable(Out out, const Report& report, const Totals& totals) {
+  fmt::format_to(out, "{:<14} {:>6} {:>15} {:>15} {:>11} {:>9} {:>15} {:>9} {:>12}\n", "family", "scenes", "samples",
+                 "same", "allowed", "differs", "values", "differ", "worst ULP");
+  for (const auto& [family, sums] : totalsByFamily(report.scenes)) writeRow(out, family, sums);
+  writeRow(out, "all", totals);
+  *out++ = '\n';
+}
+
+std::string ruleName(const std::string& id) {
+  for (const rasterizer::RuleInfo& rule : rasterizer::countedRules()) {
+    if (rule.id == id) return fmt::format("{} {}", id, rule.name);
+  }
+  return id;
+}
+
+/// "R14 sample-coverage 1,234 · …", folded at 110 columns under its label.
+void writeCounts(Out out, std::string_view label, const std::map<std::string, uint64_t>& counts, bool rules) {
+  if (counts.empty()) return;
+  std::vector<std::pair<std::string, uint64_t>> sorted(counts.begin(), counts.end());
+  const auto number = [](const std::string& id) { return id.size() > 1 ? std::atoi(id.c_str() + 1) : 0; };
+  if (rules) std::ranges::stable_sort(sorted, {}, [&](const auto& item) { return number(item.first); });
+  constexpr size_t kWidth = 110, kIndent = 10;
+  fmt::format_to(out, "{:<10}", label);
+  size_t column = kIndent;
+  for (size_t i = 0; i < sorted.size(); ++i) {
+    const std::string item = fmt::format("{} {}{}", rules ? ruleName(sorted[i].first) : sorted[i].first,
+                                         grouped(sorted[i].second), i + 1 < sorted.size() ? "," : "");
+    if (column > kIndent && column + item.size() > kWidth) {
+      fmt::format_to(out, "\n{:{}}", "", kIndent);
+      column = kIndent;
+    }
+    fmt::format_to(out, "{} ", item);
+    column += item.size() + 1;
+  }
+  *out++ = '\n';
+}
+
+void writeValues(Out out, const Totals& totals) {
+  for (const auto& [name, value] : totals.byValue) {
+    if (value.compared == 0) continue;
+    fmt::format_to(out, "value     {}: {} compared, {} same bits, {} allowed, {} differ; ULP max {}, mean {:.3g}; "
+                        "largest error {:.3g} of its bound",
+                   name, grouped(value.compared), grouped(value.same), grouped(value.allowed),
+                   grouped(value.differing), ulps(value.maxUlp), value.meanUlp, value.maxRatio);
+    const auto at = totals.worstAt.find(name);
+    if (value.worst && value.maxUlp > 0 && at != totals.worstAt.end()) {
+      fmt::format_to(out, "; worst in {} at ({}, {}) sample {}", at->second, value.worst->x, value.worst->y,
+                     value.worst->sample);
+    }
+    *out++ = '\n';
+  }
+}
+
+std::string firstDifference(const SceneEntry& entry) {
+  const SceneResult& result = entry.result;
+  if (!result.differences.empty()) {
+    const SampleDifference& d = result.differences.front();
+    return fmt::format("({}, {}) sample {}: expected primitive {} drawn {} times, got {} drawn {} times", d.x, d.y,
+                       d.sample, d.expectedPrimitive, d.expectedCount, d.actualPrimitive, d.actualCount);
+  }
+  for (const ValueStats& value : result.values) {
+    if (!value.firstDiffering) continue;
+    const ValueStats::Worst& place = *value.firstDiffering;
+    return fmt::format("({}, {}) sample {}: {}[{}] is {}, legal is {} to {}", place.x, place.y, place.sample, value.name,
+                       place.component, floatText(place.actual), floatText(place.lo), floatText(place.hi));
+  }
+  return {};
+}
+
+void writeFailure(Out out, const Report& report, const SceneEntry& entry) {
+  if (entry.error) {
+    fmt::format_to(out, "Error     {}: {}: {}\n          {}\n", entry.result.id, entry.error->where, entry.error->what,
+                   entry.error->hint);
+    return;
+  }
+  fmt::format_to(out, "{:<9} {}{}{}\n", verdictName(entry), entry.address, entry.result.reason.empty() ? "" : ": ",
+                 entry.result.reason);
+  if (const std::string first = firstDifference(entry); !first.empty()) fmt::format_to(out, "          {}\n", first);
+  if (const std::string command = explainCommand(report, entry); !command.empty()) {
+    fmt::format_to(out, "          {}\n", command);
+  }
+}
+
+void writeFailures(Out out, const Report& report) {
+  size_t shown = 0, hidden = 0;
+  for (const SceneEntry* entry : worstFirst(report)) {
+    const Verdict verdict = entry->result.verdict;
+    const bool failed = entry->error || verdict == Verdict::Differs || verdict == Verdict::Crashed ||
+                        verdict == Verdict::TimedOut;
+    if (!failed) continue;
+    if (shown == kShownFailures) {
+      ++hidden;
+      continue;
+    }
+    ++shown;
+    writeFailure(out, report, *entry);
+  }
+  if (hidden > 0) fmt::format_to(out, "          and {} that failed, all in --json and --report\n", counted(hidden, "more scene"));
+}
+
+void writeSkips(Out out, const Report& report) {
+  size_t shown = 0, hidden = 0;
+  for (const SceneEntry& entry : report.scenes) {
+    if (entry.error || entry.result.verdict != Verdict::Skipped) continue;
+    if (shown == kShownSkips) {
+      ++hidden;
+      continue;
+    }
+    ++shown;
+    fmt::format_to(out, "Skipped   {}: {}\n", entry.address, entry.result.reason);
+  }
+  if (hidden > 0) fmt::format_to(out, "          and {} skipped, all in --json and --report\n", counted(hidden, "more scene"));
+}
+
+void writeValidation(Out out, const Report& report) {
+  size_t shown = 0;
+  for (const SceneEntry& entry : report.scenes) {
+    for (const std::string& message : entry.validationMessages) {
+      if (shown++ == kShownFailures) return;
+      fmt::format_to(out, "Validation {}: {}\n", entry.address, oneLine(message));
+    }
+  }
+}
+
+}  // namespace
+
+std::string summaryText(const Report& report) {
+  const Totals totals = totalsOf(report.scenes);
+  std::string text;
+  const auto out = std::back_inserter(text);
+  writeHead(out, report);
+  writeTable(out, report, totals);
+  writeCounts(out, "freedoms", totals.freedoms, false);
+  writeCounts(out, "decided", totals.ruleCoverage, true);
+  writeValues(out, totals);
+  fmt::format_to(out, "time      reference {}, driver {}, compare {}; wall {} on {}; {} drawn\n",
+                 secondsText(totals.seconds.reference), secondsText(totals.seconds.driver),
+                 secondsText(totals.seconds.compare), secondsText(report.wallSeconds),
+                 counted(report.workers, "worker"), counted(totals.primitives, "primitive"));
+  text += '\n';
+  writeSkips(out, report);
+  writeFailures(out, report);
+  writeValidation(out, report);
+  if (!report.stopped.empty()) {
+    fmt::format_to(out, "Stopped   {}; {} not run\n", report.stopped, counted(report.notRun, "scene"));
+  }
+  fmt::format_to(out, "{}\n", verdictLine(report));
+  return text;
+}
+
+}  // namespace rasterdiff::harness

@@ -1,0 +1,42 @@
+// The driver under test, whatever it is: a Vulkan device, a mutant of the reference, a planted fault, a recorded frame.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/frame.hpp"
+#include "scene/limits.hpp"
+#include "scene/result.hpp"
+#include "scene/scene.hpp"
+
+namespace rasterdiff::harness {
+
+struct SubjectOptions {
+  std::string driver = "lavapipe";  ///< "lavapipe", "swiftshader", "PATH.json", "mutant:NAME", "fault:KIND[=GLOB]"
+  bool validate = false;
+  double timeoutSeconds = 20;
+  std::string profile = "reference";  ///< the profile that mutants and faults are made of; a device ignores it
+};
+
+class Subject {
+ public:
+  virtual ~Subject() = default;
+  [[nodiscard]] virtual std::string name() const = 0;  ///< driverName, or "mutant:NAME"
+  [[nodiscard]] virtual std::string info() const = 0;  ///< exact version
+  [[nodiscard]] virtual const Limits& limits() const = 0;
+  [[nodiscard]] virtual Result<Frame> render(const Scene& scene) = 0;
+  /// Validation messages so far; empty is clean.
+  [[nodiscard]] virtual std::vector<std::string> validationMessages() const { return {}; }
+  /// Whatever else a bug report needs: "deviceName", "apiVersion", "manifest".
+  [[nodiscard]] virtual std::vector<std::pair<std::string, std::string>> details() const { return {}; }
+};
+
+/// `fault:crash`, `fault:hang`, `fault:lost`, `fault:timeout`, `fault:refuse` are subjects for testing the harness
+/// itself: the reference, except that on scenes whose name matches GLOB (default: all) they die by a signal, sleep for
+/// ever, or return DeviceLost, TimedOut, NotOffered.
+/// Error: NoDevice (no such driver, every candidate refused), BadInput (no such mutant, fault or profile).
+[[nodiscard]] Result<std::unique_ptr<Subject>> openSubject(const SubjectOptions& options);
+
+}  // namespace rasterdiff::harness

@@ -1,0 +1,56 @@
+// From draws to snapped, oriented triangles: runs assembly, clipping, viewport and snapping, and hands every primitive to
+// a visitor. render, candidates and explain are three visitors of the same geometry.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "rasterizer/assembly.hpp"
+#include "rasterizer/clip.hpp"
+#include "rasterizer/edge_function.hpp"
+#include "rasterizer/freedoms.hpp"
+#include "rasterizer/rule_counts.hpp"
+#include "rasterizer/viewport.hpp"
+
+namespace rasterdiff::rasterizer {
+
+/// A vertex of the (clipped) polygon after the viewport transform.
+struct RasterVertex {
+  FramebufferPosition position;     ///< unsnapped, pixels
+  double reciprocalW = 1;
+  SubpixelPosition snapped;         ///< nominal
+  SubpixelPosition lowest, highest; ///< box of legal placements; = snapped under closed rules
+  double deviation = 0;             ///< pixels by which a legal position may differ from `position` in x or y
+  double depthError = 0;            ///< bound on the float32 depth's deviation at the vertex
+  double relativeWError = 0;        ///< bound on the relative deviation of a float32 clipper's w
+  std::array<double, 3> smoothWeights{1, 0, 0}, linearWeights{1, 0, 0};
+  bool made = false;                ///< by clipping
+};
+
+/// One triangle of the fan over the polygon, oriented so that its double area is positive.
+struct SetupTriangle {
+  std::array<uint8_t, 3> corner{};      ///< indices into Primitive::polygon, in oriented order
+  std::array<EdgeFunction, 3> edges;    ///< edge i runs from corner i to corner i + 1
+  bool flipped = false;                 ///< the two last corners were exchanged
+  int64_t area = 0;                     ///< double area before orientation, 1/65536 pixel²
+  bool frontFacing = false, culled = false;
+};
+
+struct Primitive {
+  uint32_t number = 0;  ///< 1-based over all draws
+  const Draw* draw = nullptr;
+  AssembledTriangle assembled;
+  std::array<ClipPosition, 3> clip;
+  bool cut = false;
+  std::vector<RasterVertex> polygon;
+  std::vector<SetupTriangle> pieces;
+};
+
+using PrimitiveVisitor = std::function<void(const Primitive&)>;
+
+/// Visits every primitive that has at least one piece, in drawing order. The Primitive is reused between calls.
+/// Counts ViewVolume, Facing and Culling.
+void forEachPrimitive(const Scene& scene, const Rules& rules, RuleCounts& counts, const PrimitiveVisitor& visit);
+
+}  // namespace rasterdiff::rasterizer

@@ -1,0 +1,127 @@
+// The reference's main loop: geometry → rows of covered samples → frame.
+#include "rasterizer/render.hpp"
+
+#include <algorithm>
+
+#include "rasterizer/frame_writer.hpp"
+#include "rasterizer/freedom_band.hpp"
+#include "rasterizer/sample_pattern.hpp"
+#include "rasterizer/target_area.hpp"
+
+namespace rasterdiff::rasterizer {
+namespace {
+
+class Renderer {
+ public:
+  Renderer(const Scene& scene, const Rules& rules, std::vector<SubpixelPosition> pattern, RuleCounts& counts)
+      : scene_(scene),
+        counts_(counts),
+        pattern_(pattern),
+        area_(targetArea(scene, rules.error)),
+        whole_(wholeTarget(scene)),
+        values_(scene, needsOf(scene), rules),
+        writer_(scene, needsOf(scene), rules, std::move(pattern), counts),
+        open_(rules.open),
+        spans_(pattern_.size()) {}
+
+  void draw(const Primitive& primitive) {
+    for (const SetupTriangle& piece : primitive.pieces) {
+      if (piece.culled) continue;
+      values_.setUp(primitive, piece);
+      drawPiece(primitive, piece);
+      countInterpolation(primitive);
+    }
+    if (open_) markBand(primitive);
+  }
+
+  Frame take() { return writer_.take(); }
+
+ private:
+  void drawPiece(const Primitive& primitive, const SetupTriangle& piece) {
+    int32_t minY = primitive.polygon[piece.corner[0]].snapped.y, maxY = minY;
+    for (const uint8_t corner : piece.corner) {
+      minY = std::min(minY, primitive.polygon[corner].snapped.y);
+      maxY = std::max(maxY, primitive.polygon[corner].snapped.y);
+    }
+    const int32_t first = std::max(minY >> kSubpixelBits, whole_.top);
+    const int32_t last = std::min(maxY >> kSubpixelBits, whole_.bottom - 1);
+    for (int32_t y = first; y <= last; ++y) {
+      const bool rowInside = y >= area_.top && y < area_.bottom;
+      int64_t covered = 0;
+      bool some = false, unequal = false;
+      for (size_t s = 0; s < pattern_.size(); ++s) {
+        const RowCoverage row = coverRow(piece.edges, pattern_[s].x, int64_t{y} * kSubpixelOne + pattern_[s].y,
+                                         {whole_.left, whole_.right});
+        counts_[Rule::TieBreak] += static_cast<uint64_t>(row.ties);
+        covered += row.covered.length();
+        RowSpan& span = spans_[s];
+        span = rowInside ? RowSpan{std::max(row.covered.begin, area_.left), std::min(row.covered.end, area_.right)} : RowSpan{};
+        counts_[Rule::Scissor] += static_cast<uint64_t>(row.covered.length() - span.length());
+        some = some || !span.empty();
+        unequal = unequal || span.begin != spans_[0].begin || span.end != spans_[0].end;
+      }
+      counts_[Rule::SampleCoverage] += static_cast<uint64_t>(covered);
+      if (unequal) ++counts_[Rule::SamplePattern];
+      if (some) writer_.writeRow(primitive.number, values_, y, spans_);
+    }
+  }
+
+  void countInterpolation(const Primitive& primitive) {
+    if (primitive.draw->varyings.empty()) return;
+    const std::array<ClipPosition, 3>& v = primitive.clip;
+    if (v[0].w != v[1].w || v[0].w != v[2].w) ++counts_[Rule::Perspective];
+    for (const Varying& varying : primitive.draw->varyings) {
+      if (varying.interpolation == Interpolation::flat) {
+        ++counts_[Rule::ProvokingVertex];
+        break;
+      }
+    }
+  }
+
+  void markBand(const Primitive& primitive) {
+    const FreedomBand band(primitive, scene_.state.cullMode, scene_.state.frontFace);
+    const int32_t first = std::max(band.firstRow(), area_.top), last = std::min(band.lastRow(), area_.bottom - 1);
+    for (int32_t y = first; y <= last; ++y) {
+      for (uint32_t s = 0; s < pattern_.size(); ++s) {
+        const int64_t sampleY = int64_t{y} * kSubpixelOne + pattern_[s].y;
+        const FreedomBand::Row row = band.row(pattern_[s].x, sampleY, {area_.left, area_.right});
+        writer_.markCoverage(y, s, row.certain);
+        const auto classify = [&](int32_t from, int32_t to) {
+          for (int32_t x = from; x < to; ++x) {
+            writer_.markCoverage(x, y, s, band.classify(int64_t{x} * kSubpixelOne + pattern_[s].x, sampleY).coverage);
+          }
+        };
+        if (row.certain.empty()) {
+          classify(row.possible.begin, row.possible.end);
+        } else {
+          classify(row.possible.begin, row.certain.begin);
+          classify(row.certain.end, row.possible.end);
+        }
+      }
+    }
+  }
+
+  const Scene& scene_;
+  RuleCounts& counts_;
+  const std::vector<SubpixelPosition> pattern_;
+  const PixelArea area_, whole_;
+  PieceValues values_;
+  FrameWriter writer_;
+  const bool open_;
+  std::vector<RowSpan> spans_;
+};
+
+}  // namespace
+
+Result<Frame> render(const Scene& scene, const Rules& rules, RuleCounts* counts) {
+  if (const Result<void> valid = validate(scene); !valid) return tl::unexpected<Error>(valid.error());
+  Result<std::vector<SubpixelPosition>> pattern = samplePattern(scene.target.samples, rules);
+  if (!pattern) return tl::unexpected<Error>(pattern.error());
+  RuleCounts own;
+  RuleCounts& counting = counts != nullptr ? *counts : own;
+  Renderer renderer(scene, rules, std::move(*pattern), counting);
+  forEachPrimitive(scene, rules, counting, [&](const Primitive& primitive) { renderer.draw(primitive); });
+  return renderer.take();
+}
+
+}  // namespace rasterdiff::rasterizer

@@ -1,0 +1,52 @@
+#include "rasterizer/rules.hpp"
+
+#include <array>
+
+namespace rasterdiff::rasterizer {
+namespace {
+
+constexpr std::array<std::string_view, 2> kProfiles{"reference", "lavapipe"};
+
+// The driver compiles its vertex stage for the CPU it runs on: it fuses where the CPU has fused multiply-add.
+bool cpuFusesMultiplyAdd() {
+#if defined(__x86_64__)
+  return __builtin_cpu_supports("fma") != 0;
+#else
+  return true;
+#endif
+}
+
+}  // namespace
+
+Rules Rules::specification(const Limits& limits) {
+  Rules rules;
+  rules.name = "spec";
+  rules.limits = limits;
+  rules.open = true;
+  return rules;
+}
+
+Result<Rules> Rules::profile(std::string_view name, const Limits& limits) {
+  Rules rules;
+  rules.name = name;
+  rules.limits = limits;
+  if (name == "reference") return rules;
+  if (name == "lavapipe") {
+    rules.choices.viewportArithmetic =
+        cpuFusesMultiplyAdd() ? ViewportArithmetic::Float32Fma : ViewportArithmetic::Float32;
+    rules.choices.snapOrigin = SnapOrigin::CentreAtOneSample;
+    rules.choices.clipArithmetic = ClipArithmetic::Float32Linear;
+    return rules;
+  }
+  return fail(ErrorCode::BadInput, "--rules", "there is no profile named \"" + std::string(name) + "\"",
+              "profiles: spec, reference, lavapipe, auto");
+}
+
+Rules Rules::forDriver(std::string_view driverName, const Limits& limits) {
+  if (driverName == "llvmpipe") return *profile("lavapipe", limits);
+  return specification(limits);
+}
+
+std::span<const std::string_view> profiles() { return kProfiles; }
+
+}  // namespace rasterdiff::rasterizer

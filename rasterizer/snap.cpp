@@ -1,0 +1,126 @@
+#include "rasterizer/snap.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "rasterizer/exact_sign.hpp"
+
+namespace rasterdiff::rasterizer {
+namespace {
+
+// Doubles are trusted to decide when they are at least this far (relative to the grid value + 1) from a decision point.
+constexpr double kTrust = 0x1p-40;
+
+double clampToGuardBand(double pixels) { return std::clamp(pixels, -kGuardBand, kGuardBand); }
+
+int32_t toSubpixels(double gridValue, int bits) {
+  return static_cast<int32_t>(gridValue) * (1 << (kSubpixelBits - bits));
+}
+
+double roundTo(double gridValue, SnapRounding rounding) {
+  switch (rounding) {
+    case SnapRounding::NearestEven: return std::nearbyint(gridValue);
+    case SnapRounding::NearestUp: return std::floor(gridValue + 0.5);
+    case SnapRounding::Floor: return std::floor(gridValue);
+    case SnapRounding::TowardZero: return std::trunc(gridValue);
+  }
+  return gridValue;
+}
+
+// Sign of (x / w · scale + offset) · 2^bits - halves / 2, exactly; times w first, so that only products are needed.
+int signAgainst(float coordinate, float w, const ViewportAxis& axis, int bits, double halves) {
+  const double twiceUnit = std::ldexp(2.0, bits);
+  std::array<double, 8> terms{};
+  twoProduct(double{coordinate}, axis.scale * twiceUnit, terms[0], terms[1]);
+  twoProduct(axis.origin * twiceUnit, w, terms[2], terms[3]);
+  twoProduct(axis.centre * twiceUnit, w, terms[4], terms[5]);
+  twoProduct(-halves, w, terms[6], terms[7]);
+  const int sign = exactSign(terms);
+  return w < 0 ? -sign : sign;
+}
+
+double approximate(float coordinate, float w, const ViewportAxis& axis, int bits) {
+  const double pixels = double{coordinate} * axis.scale / w + axis.offset();
+  return std::ldexp(clampToGuardBand(pixels), bits);
+}
+
+bool decides(double gridValue, double point) {
+  return std::fabs(gridValue - point) > kTrust * (std::fabs(gridValue) + 1);
+}
+
+double exactFloor(float coordinate, float w, const ViewportAxis& axis, int bits) {
+  const double value = approximate(coordinate, w, axis, bits);
+  const double near = std::nearbyint(value);
+  if (decides(value, near)) return std::floor(value);
+  return signAgainst(coordinate, w, axis, bits, 2 * near) >= 0 ? near : near - 1;
+}
+
+bool isExactly(float coordinate, float w, const ViewportAxis& axis, int bits, double gridValue) {
+  return signAgainst(coordinate, w, axis, bits, 2 * gridValue) == 0;
+}
+
+}  // namespace
+
+int gridBits(const Rules& rules) {
+  if (rules.error == DeliberateError::CoarseSnap) return 4;
+  return static_cast<int>(std::min<uint32_t>(rules.limits.subPixelPrecisionBits, kSubpixelBits));
+}
+
+int32_t snap(double pixels, int bits, SnapRounding rounding) {
+  return toSubpixels(roundTo(std::ldexp(clampToGuardBand(pixels), bits), rounding), bits);
+}
+
+int32_t snapExactly(float coordinate, float w, const ViewportAxis& axis, int bits, SnapRounding rounding) {
+  const double below = exactFloor(coordinate, w, axis, bits);
+  double chosen = below;
+  switch (rounding) {
+    case SnapRounding::Floor: break;
+    case SnapRounding::TowardZero:
+      if (below < 0 && !isExactly(coordinate, w, axis, bits, below)) chosen = below + 1;
+      break;
+    case SnapRounding::NearestEven:
+    case SnapRounding::NearestUp: {
+      const double value = approximate(coordinate, w, axis, bits);
+      const double half = below + 0.5;
+      const int side = decides(value, half) ? (value > half ? 1 : -1) : signAgainst(coordinate, w, axis, bits, 2 * half);
+      const bool odd = std::fmod(below, 2.0) != 0;
+      if (side > 0 || (side == 0 && (rounding == SnapRounding::NearestUp || odd))) chosen = below + 1;
+      break;
+    }
+  }
+  return toSubpixels(chosen, bits);
+}
+
+int32_t snapFloat(const Rules& rules, uint32_t samples, float pixels) {
+  const int bits = gridBits(rules);
+  const float unit = std::ldexp(1.0F, bits);
+  const bool centre = rules.choices.snapOrigin == SnapOrigin::CentreAtOneSample && samples == 1;
+  const float shifted = centre ? pixels - 0.5F : pixels;
+  const float limit = static_cast<float>(kGuardBand);
+  const float scaled = std::clamp(shifted, -limit, limit) * unit;
+  const double grid = roundTo(scaled, rules.choices.snapRounding);
+  return toSubpixels(grid, bits) + (centre ? kSubpixelOne / 2 : 0);
+}
+
+int32_t snapUnder(const Rules& rules, uint32_t samples, float coordinate, float w, const ViewportAxis& axis) {
+  if (rules.choices.viewportArithmetic != ViewportArithmetic::Exact) {
+    return snapFloat(rules, samples, toFramebufferFloat(coordinate, w, axis, rules.choices.viewportArithmetic));
+  }
+  return snapExactly(coordinate, w, axis, gridBits(rules), rules.choices.snapRounding);
+}
+
+SnapRange legalSnaps(float coordinate, float w, const ViewportAxis& axis, int bits, double uncertainty) {
+  if (uncertainty > 0) return legalSnaps(double{coordinate} * axis.scale / w + axis.offset(), bits, uncertainty);
+  const double below = exactFloor(coordinate, w, axis, bits);
+  const double above = isExactly(coordinate, w, axis, bits, below) ? below : below + 1;
+  return {toSubpixels(below, bits), toSubpixels(above, bits)};
+}
+
+SnapRange legalSnaps(double pixels, int bits, double uncertainty) {
+  const auto grid = [&](double value) { return std::ldexp(clampToGuardBand(value), bits); };
+  return {toSubpixels(std::floor(grid(pixels - uncertainty)), bits),
+          toSubpixels(std::ceil(grid(pixels + uncertainty)), bits)};
+}
+
+}  // namespace rasterdiff::rasterizer

@@ -1,0 +1,36 @@
+// Framebuffer coordinates to the subpixel grid: the rounding of a profile, and the box of all legal roundings.
+// [vk:limits-subPixelPrecisionBits] [choice:snap-rounding] [choice:snap-origin]
+#pragma once
+
+#include "rasterizer/viewport.hpp"
+
+namespace rasterdiff::rasterizer {
+
+/// Coordinates are clamped here before they become integers.  // ±2^20 pixels = ±2^28 in Q23.8
+inline constexpr double kGuardBand = 1 << 20;
+
+/// Grid bits in use: the device's subPixelPrecisionBits, at most kSubpixelBits.
+[[nodiscard]] int gridBits(const Rules& rules);
+
+/// Rounds `pixels` (a double that is close enough to the truth) to the grid; result in 1/256 pixel.
+[[nodiscard]] int32_t snap(double pixels, int bits, SnapRounding rounding);
+
+/// Rounds x / w · scale + offset exactly: no float error can turn a tie or cross a half.
+[[nodiscard]] int32_t snapExactly(float coordinate, float w, const ViewportAxis& axis, int bits, SnapRounding rounding);
+
+/// Snaps one coordinate of an unclipped vertex under closed rules. `samples` matters to [choice:snap-origin].
+[[nodiscard]] int32_t snapUnder(const Rules& rules, uint32_t samples, float coordinate, float w,
+                                const ViewportAxis& axis);
+
+/// Snaps a float32 framebuffer coordinate as a float32 driver does.
+[[nodiscard]] int32_t snapFloat(const Rules& rules, uint32_t samples, float pixels);
+
+/// The neighbouring grid points between which a vertex may legally go, for a coordinate known within ±`uncertainty`
+/// pixels (0: exactly, and then a point on the grid stays).
+struct SnapRange {
+  int32_t lowest = 0, highest = 0;  ///< 1/256 pixel
+};
+[[nodiscard]] SnapRange legalSnaps(float coordinate, float w, const ViewportAxis& axis, int bits, double uncertainty);
+[[nodiscard]] SnapRange legalSnaps(double pixels, int bits, double uncertainty);
+
+}  // namespace rasterdiff::rasterizer

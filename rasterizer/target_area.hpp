@@ -1,0 +1,33 @@
+// The pixels a scene can write: the target cut by the scissor. [vk:fragops-scissor]
+#pragma once
+
+#include <algorithm>
+
+#include "rasterizer/deliberate_error.hpp"
+#include "scene/scene.hpp"
+
+namespace rasterdiff::rasterizer {
+
+/// left <= x < right, top <= y < bottom.
+struct PixelArea {
+  int32_t left = 0, top = 0, right = 0, bottom = 0;
+  [[nodiscard]] bool contains(int32_t x, int32_t y) const { return x >= left && x < right && y >= top && y < bottom; }
+};
+
+[[nodiscard]] inline PixelArea wholeTarget(const Scene& scene) {
+  return {0, 0, static_cast<int32_t>(scene.target.width), static_cast<int32_t>(scene.target.height)};
+}
+
+[[nodiscard]] inline PixelArea targetArea(const Scene& scene, DeliberateError error = DeliberateError::None) {
+  PixelArea area = wholeTarget(scene);
+  if (!scene.scissor) return area;
+  const Rect2D& scissor = *scene.scissor;
+  const int64_t widened = error == DeliberateError::ScissorOffByOne ? 1 : 0;
+  area.left = std::max(area.left, scissor.x);
+  area.top = std::max(area.top, scissor.y);
+  area.right = static_cast<int32_t>(std::min<int64_t>(area.right, int64_t{scissor.x} + scissor.width + widened));
+  area.bottom = static_cast<int32_t>(std::min<int64_t>(area.bottom, int64_t{scissor.y} + scissor.height));
+  return area;
+}
+
+}  // namespace rasterdiff::rasterizer

@@ -1,0 +1,116 @@
+#include "rasterizer/vertex_stage.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rasterdiff::rasterizer {
+namespace {
+
+constexpr double kHalfUlp = 0x1p-24;  // relative rounding error of float32
+
+double farthest(double pixels, const SnapRange& range) {
+  const double low = range.lowest / double{kSubpixelOne}, high = range.highest / double{kSubpixelOne};
+  return std::max(std::fabs(pixels - low), std::fabs(pixels - high));
+}
+
+// float32 z: reciprocal, product, product, sum. [vk:vertexpostproc-viewport]
+double depthErrorBound(double scaled, double offset, double result) {
+  return kHalfUlp * (3 * std::fabs(scaled) + std::fabs(offset) + std::fabs(result));
+}
+
+void shiftHalfPixel(RasterVertex& vertex) {
+  vertex.snapped.x += kSubpixelOne / 2;
+  vertex.position.x += 0.5;
+}
+
+}  // namespace
+
+RasterVertex VertexStage::original(const ClipPosition& p) const {
+  RasterVertex vertex;
+  const double clip[4] = {p.x, p.y, p.z, p.w};
+  vertex.position = toFramebuffer(clip, viewport);
+  vertex.reciprocalW = 1.0 / p.w;
+  vertex.snapped = {snapUnder(rules, samples, p.x, p.w, viewport.x), snapUnder(rules, samples, p.y, p.w, viewport.y)};
+  vertex.lowest = vertex.highest = vertex.snapped;
+  vertex.depthError = depthErrorBound(p.z * viewport.z.scale / p.w, viewport.z.offset(), vertex.position.z);
+
+  const double errorX = viewportArithmeticBound(p.x, p.w, viewport.x);
+  const double errorY = viewportArithmeticBound(p.y, p.w, viewport.y);
+  vertex.deviation = std::max(errorX, errorY);
+  if (rules.open) {
+    const int bits = gridBits(rules);
+    const SnapRange x = legalSnaps(p.x, p.w, viewport.x, bits, errorX + viewport.boundsUncertainty);
+    const SnapRange y = legalSnaps(p.y, p.w, viewport.y, bits, errorY + viewport.boundsUncertainty);
+    vertex.lowest = {x.lowest, y.lowest};
+    vertex.highest = {x.highest, y.highest};
+    vertex.deviation += std::max(farthest(vertex.position.x, x), farthest(vertex.position.y, y));
+  }
+  if (rules.error == DeliberateError::HalfPixelShift) shiftHalfPixel(vertex);
+  return vertex;
+}
+
+RasterVertex VertexStage::clipped(const ClipVertex& clip) const {
+  const std::array<double, 4>& p = clip.position;
+  if (!clip.made) {
+    RasterVertex vertex = original({static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]),
+                                    static_cast<float>(p[3])});
+    vertex.smoothWeights = clip.smoothWeights;
+    vertex.linearWeights = clip.linearWeights;
+    return vertex;
+  }
+  RasterVertex vertex;
+  vertex.made = true;
+  vertex.smoothWeights = clip.smoothWeights;
+  vertex.linearWeights = clip.linearWeights;
+  vertex.position = toFramebuffer(p.data(), viewport);
+  vertex.reciprocalW = 1.0 / p[3];
+
+  // Deviation of a float32 clipper, carried through the division: (e_x + |ndc| e_w) / w · scale.
+  const auto axisError = [&](size_t i, const ViewportAxis& axis) {
+    const double ndc = p[i] / p[3];
+    const double carried = (clip.error[i] + std::fabs(ndc) * clip.error[3]) / std::fabs(p[3]) * std::fabs(axis.scale);
+    return carried + kHalfUlp * (3 * std::fabs(ndc * axis.scale) + std::fabs(axis.offset()) +
+                                 2 * std::fabs(ndc * axis.scale + axis.offset()) + 1);
+  };
+  const double errorX = axisError(0, viewport.x), errorY = axisError(1, viewport.y);
+  vertex.depthError = axisError(2, viewport.z);
+  vertex.relativeWError = clip.error[3] / std::fabs(p[3]);
+  vertex.deviation = std::max(errorX, errorY);
+
+  if (rules.choices.clipArithmetic == ClipArithmetic::Float32Linear) {
+    // A clipper outside the vertex stage: float32 without fused operations.
+    const auto map = [&](size_t i, const ViewportAxis& axis) {
+      return toFramebufferFloat(static_cast<float>(p[i]), static_cast<float>(p[3]), axis, ViewportArithmetic::Float32);
+    };
+    vertex.snapped = {snapFloat(rules, samples, map(0, viewport.x)), snapFloat(rules, samples, map(1, viewport.y))};
+  } else {
+    const int bits = gridBits(rules);
+    vertex.snapped = {snap(vertex.position.x, bits, rules.choices.snapRounding),
+                      snap(vertex.position.y, bits, rules.choices.snapRounding)};
+  }
+  vertex.lowest = vertex.highest = vertex.snapped;
+  if (rules.open) {
+    const int bits = gridBits(rules);
+    const SnapRange x = legalSnaps(vertex.position.x, bits, errorX + viewport.boundsUncertainty);
+    const SnapRange y = legalSnaps(vertex.position.y, bits, errorY + viewport.boundsUncertainty);
+    // One more grid step: a device that does not clip here has the uncut edge, whose far end was snapped instead.
+    const int32_t step = 1 << (kSubpixelBits - bits);
+    vertex.lowest = {x.lowest - step, y.lowest - step};
+    vertex.highest = {x.highest + step, y.highest + step};
+    vertex.deviation += std::max(farthest(vertex.position.x, x), farthest(vertex.position.y, y));
+  }
+  if (rules.error == DeliberateError::HalfPixelShift) shiftHalfPixel(vertex);
+  return vertex;
+}
+
+VertexStage vertexStage(const Scene& scene, const Rules& rules) {
+  Viewport viewport = scene.viewport;
+  if (rules.error == DeliberateError::ViewportFlipped && viewport.height < 0) {
+    viewport.y += viewport.height;
+    viewport.height = -viewport.height;
+  }
+  return {rules, viewportTransform(viewport, scene.state.negativeOneToOne, rules.limits.viewportSubPixelBits),
+          scene.target.samples};
+}
+
+}  // namespace rasterdiff::rasterizer

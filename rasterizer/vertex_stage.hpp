@@ -1,0 +1,22 @@
+// One vertex through division, viewport and snapping, with the box of places where it may legally go.
+#pragma once
+
+#include "rasterizer/geometry.hpp"
+#include "rasterizer/snap.hpp"
+
+namespace rasterdiff::rasterizer {
+
+struct VertexStage {
+  const Rules& rules;
+  ViewportTransform viewport;
+  uint32_t samples = 1;
+
+  /// A vertex of the scene, inside the view volume.
+  [[nodiscard]] RasterVertex original(const ClipPosition& position) const;
+  /// A vertex of a cut polygon; weights come with it.
+  [[nodiscard]] RasterVertex clipped(const ClipVertex& vertex) const;
+};
+
+[[nodiscard]] VertexStage vertexStage(const Scene& scene, const Rules& rules);
+
+}  // namespace rasterdiff::rasterizer

@@ -1,0 +1,21 @@
+// Model only what a scene needs: derived once from a scene; both renderers and all kernels specialise on it.
+#pragma once
+
+#include <cstdint>
+
+#include "scene/scene.hpp"
+
+namespace rasterdiff {
+
+/// Planes and stages a scene asks for. Primitive index and overdraw count are always there; all else only on demand.
+struct SceneNeeds {
+  bool depth = false;           ///< a depth attachment exists: depth is interpolated, (perhaps) tested, read back, compared
+  uint32_t varyings = 0;        ///< number of varying planes
+  bool perspective = false;     ///< some w differs from 1: values need f/w and 1/w
+  bool clipping = false;        ///< some vertex lies outside the view volume
+  uint32_t samples = 1;
+};
+
+[[nodiscard]] SceneNeeds needsOf(const Scene& scene);
+
+}  // namespace rasterdiff

@@ -1,0 +1,19 @@
+// The images that a plan asks for, and nothing else.
+#pragma once
+
+#include <vector>
+
+#include "vkref/plan.hpp"
+#include "vkref/pool.hpp"
+
+namespace rasterdiff::vkref {
+
+struct Attachments {
+  std::vector<Pool<Image>::Lease> color;  ///< as RenderPlan::color
+  Pool<Image>::Lease depth;               ///< null without a depth attachment
+};
+
+/// Adds what was made or reused to `cost`. Error: NotOffered when memory ran out.
+[[nodiscard]] Result<Attachments> acquireAttachments(const RenderPlan& plan, Pool<Image>& images, RenderCost& cost);
+
+}  // namespace rasterdiff::vkref

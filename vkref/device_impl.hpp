@@ -1,0 +1,34 @@
+// What a Device owns, in the order in which it has to be destroyed (last first).
+#pragma once
+
+#include <optional>
+
+#include "vkref/attachments.hpp"
+#include "vkref/instance.hpp"
+#include "vkref/pipeline.hpp"
+#include "vkref/submission.hpp"
+#include "vkref/unpack.hpp"
+
+namespace rasterdiff::vkref {
+
+/// Idle images and buffers that are kept for the next scenes: a 1080p target of four samples with depth and a varying
+/// comes to about 270 MiB.
+inline constexpr VkDeviceSize kIdleImageBytes = VkDeviceSize{512} << 20;
+inline constexpr VkDeviceSize kIdleBufferBytes = VkDeviceSize{512} << 20;
+
+struct Device::Impl {
+  std::unique_ptr<Instance> instance;
+  std::unique_ptr<Context> context;
+  std::unique_ptr<PipelineCache> pipelines;
+  std::unique_ptr<Unpack> unpack;
+  std::unique_ptr<Submission> submission;
+  std::unique_ptr<Pool<Image>> images;
+  std::unique_ptr<Pool<Buffer>> buffers;
+  /// Of a scene whose submit timed out: the device may still use them.
+  Attachments abandonedAttachments;
+  std::vector<Pool<Buffer>::Lease> abandonedBuffers;
+  std::optional<Error> broken;  ///< set by DeviceLost and TimedOut: no further scene is drawn
+  RenderCost cost;
+};
+
+}  // namespace rasterdiff::vkref

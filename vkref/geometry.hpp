@@ -1,0 +1,36 @@
+// Puts a scene's vertices and indices into one buffer, and says what each draw command has to bind.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "vkref/capabilities.hpp"
+#include "vkref/pool.hpp"
+
+namespace rasterdiff::vkref {
+
+/// Where one draw's arrays lie in the buffer, bytes.
+struct DrawCommand {
+  uint32_t count = 0;           ///< vertices, or indices
+  bool indexed = false;
+  uint32_t firstPrimitive = 0;  ///< primitives of all draws before
+  VkDeviceSize positions = 0, indices = 0;
+  std::array<VkDeviceSize, kMaxVaryings> varyings{};
+};
+
+struct Geometry {
+  Pool<Buffer>::Lease buffer;  ///< null when nothing is drawn
+  std::vector<DrawCommand> draws;
+};
+
+/// Draws without a whole primitive are left out. With `expand`, indexed draws become draws of one vertex an index, in
+/// the order of the indices: the same primitives, with consecutive vertex numbers.
+/// Error: NotOffered when memory ran out, or primitives cannot be numbered in 32 bits.
+[[nodiscard]] Result<Geometry> upload(const Scene& scene, bool expand, Pool<Buffer>& buffers);
+
+/// A buffer of at least `bytes`, rounded up so that scenes of like size share it.
+[[nodiscard]] Result<Pool<Buffer>::Lease> acquireBuffer(Pool<Buffer>& buffers, VkDeviceSize bytes,
+                                                        VkBufferUsageFlags usage);
+
+}  // namespace rasterdiff::vkref

@@ -1,0 +1,93 @@
+// One scene on one device: plan, upload, draw, read back.
+#include <chrono>
+#include <new>
+
+#include "vkref/commands.hpp"
+#include "vkref/device_impl.hpp"
+#include "vkref/readback.hpp"
+
+namespace rasterdiff::vkref {
+namespace {
+
+class Stopwatch {
+ public:
+  /// Seconds since the last call or the start.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double> elapsed = now - last_;
+    last_ = now;
+    return elapsed.count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+Result<Frame> draw(const Scene& scene, Device::Impl& impl) {
+  Stopwatch watch;
+  RenderCost& cost = impl.cost;
+  cost = {};
+  const Context& context = *impl.context;
+  const uint32_t pipelinesBefore = impl.pipelines->created() + impl.unpack->created();
+  if (const Result<void> valid = validate(scene); !valid) return tl::unexpected(valid.error());
+  const RenderPlan plan = planOf(scene, context.caps);
+  if (const Result<void> offered = checkOffered(scene, plan, context.caps); !offered) {
+    return tl::unexpected(offered.error());
+  }
+  const PrimitiveSource primitives = context.caps.geometryShader ? PrimitiveSource::Builtin : PrimitiveSource::Vertex;
+  Result<Geometry> geometry = upload(scene, primitives == PrimitiveSource::Vertex, *impl.buffers);
+  if (!geometry) return tl::unexpected(geometry.error());
+  Result<Attachments> attachments = acquireAttachments(plan, *impl.images, cost);
+  if (!attachments) return tl::unexpected(attachments.error());
+  const auto abandon = [&] {
+    impl.abandonedAttachments = std::move(*attachments);
+    impl.abandonedBuffers.push_back(std::move(geometry->buffer));
+  };
+
+  const Result<VkCommandBuffer> draws = impl.submission->begin();
+  if (!draws) return tl::unexpected(draws.error());
+  const Result<void> recorded =
+      recordDraws(context, *draws, scene, plan, *attachments, *geometry, primitives, *impl.pipelines);
+  if (!recorded) return tl::unexpected(recorded.error());
+  cost.passes = static_cast<uint32_t>(plan.passes.size());
+  cost.setupSeconds = watch.lap();
+  if (const Result<void> drawn = impl.submission->run(); !drawn) {
+    abandon();
+    return tl::unexpected(drawn.error());
+  }
+  cost.drawSeconds = watch.lap();
+
+  const Result<VkCommandBuffer> transfers = impl.submission->begin();
+  if (!transfers) return tl::unexpected(transfers.error());
+  Result<Readback> readback =
+      recordReadback(context, *transfers, plan, *attachments, *impl.buffers, *impl.unpack, cost);
+  if (!readback) return tl::unexpected(readback.error());
+  cost.pipelinesCreated = impl.pipelines->created() + impl.unpack->created() - pipelinesBefore;
+  if (const Result<void> read = impl.submission->run(); !read) {
+    abandon();
+    impl.abandonedBuffers.push_back(std::move(readback->buffer));
+    return tl::unexpected(read.error());
+  }
+  Result<Frame> frame = frameOf(scene, plan, *readback);
+  cost.readbackSeconds = watch.lap();
+  return frame;
+}
+
+}  // namespace
+
+Result<Frame> render(const Scene& scene, Device& device) {
+  Device::Impl& impl = device.impl();
+  if (impl.broken) return tl::unexpected(*impl.broken);
+  try {
+    Result<Frame> frame = draw(scene, impl);
+    const bool unusable =
+        !frame && (frame.error().code == ErrorCode::DeviceLost || frame.error().code == ErrorCode::TimedOut);
+    if (unusable) impl.broken = frame.error();
+    return frame;
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorCode::NotOffered, "memory", "the frame needs more host memory than there is",
+                "make the target smaller, or take fewer samples or varyings");
+  }
+}
+
+}  // namespace rasterdiff::vkref

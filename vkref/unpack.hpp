@@ -1,0 +1,44 @@
+// The compute shader that reads multisampled images sample by sample.
+#pragma once
+
+#include <map>
+
+#include "vkref/memory.hpp"
+#include "vkref/pipeline.hpp"
+
+namespace rasterdiff::vkref {
+
+class Unpack {
+ public:
+  [[nodiscard]] static Result<std::unique_ptr<Unpack>> create(const Context& context, VkPipelineCache driverCache);
+
+  /// Begins a new submission: what was recorded before has been executed.
+  [[nodiscard]] Result<void> reset();
+  /// Records the copy of the first `components` components of all samples of `image` (in SHADER_READ_ONLY layout)
+  /// into `buffer` at `offset`, tight. Error: DeviceLost, NotOffered (memory).
+  [[nodiscard]] Result<void> record(VkCommandBuffer commands, const Image& image, uint32_t components, VkBuffer buffer,
+                                    VkDeviceSize offset);
+  [[nodiscard]] uint32_t created() const { return created_; }  ///< pipelines, since the device was opened
+
+ private:
+  struct Kind {
+    bool unsignedIntegers = false;
+    uint32_t samples = 1, components = 1;
+    friend auto operator<=>(const Kind&, const Kind&) = default;
+  };
+  explicit Unpack(const Context& context) : context_(context) {}
+  [[nodiscard]] Result<VkPipeline> pipeline(const Kind& kind);
+  [[nodiscard]] Result<VkDescriptorSet> descriptors(const Image& image, VkBuffer buffer, VkDeviceSize offset,
+                                                    VkDeviceSize bytes);
+
+  const Context& context_;
+  VkPipelineCache driverCache_ = VK_NULL_HANDLE;
+  OwnedDescriptorSetLayout setLayout_;
+  OwnedPipelineLayout layout_;
+  std::vector<OwnedDescriptorPool> pools_;  ///< each of kSetsPerPool sets
+  uint32_t setsUsed_ = 0;
+  std::map<Kind, OwnedPipeline> pipelines_;
+  uint32_t created_ = 0;
+};
+
+}  // namespace rasterdiff::vkref
