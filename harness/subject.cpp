@@ -120,6 +120,16 @@ Result<std::unique_ptr<Subject>> openFault(const SubjectOptions& options, std::s
 
 }  // namespace
 
+std::string subjectLine(const Subject& subject) {
+  std::string line = subject.name();
+  if (!subject.info().empty()) line += ": " + subject.info();
+  for (const auto& [name, value] : subject.details()) {
+    if (value.empty() || name == "manifest") continue;
+    line += (name == "apiVersion" ? ", Vulkan " : ", ") + value;
+  }
+  return line;
+}
+
 Result<std::unique_ptr<Subject>> openSubject(const SubjectOptions& options) {
   constexpr std::string_view kMutant = "mutant:", kFault = "fault:";
   if (options.driver.starts_with(kMutant)) {

@@ -33,6 +33,9 @@ class Subject {
   [[nodiscard]] virtual std::vector<std::pair<std::string, std::string>> details() const { return {}; }
 };
 
+/// "llvmpipe: Mesa 22.3.6 (LLVM 15.0.6), device …, Vulkan 1.3.230": what was tested, in one line.
+[[nodiscard]] std::string subjectLine(const Subject& subject);
+
 /// `fault:crash`, `fault:hang`, `fault:lost`, `fault:timeout`, `fault:refuse` are subjects for testing the harness
 /// itself: the reference, except that on scenes whose name matches GLOB (default: all) they die by a signal, sleep for
 /// ever, or return DeviceLost, TimedOut, NotOffered.

@@ -85,6 +85,14 @@ class CandidateFinder {
         area_(targetArea(scene)), index_(queries, scene.target.height), values_(scene, needs_, rules), found(queries.size()) {}
 
   void visit(const Primitive& primitive) {
+    if (primitive.unprojectable) {
+      for (size_t q = 0; q < queries_.size(); ++q) {
+        if (area_.contains(static_cast<int32_t>(queries_[q].x), static_cast<int32_t>(queries_[q].y))) {
+          add(q, primitive, nullptr, {Coverage::Either, Freedom::DivisionByZero, std::nullopt});
+        }
+      }
+      return;
+    }
     const Box box = pixelBox(primitive);
     std::optional<FreedomBand> band;
     index_.inBox(box.x0, box.y0, box.x1, box.y1, [&](size_t q) {

@@ -22,6 +22,8 @@ constexpr std::array kFreedoms{
                 "vertices that clipping makes have no stated precision"},
     FreedomInfo{NearZeroArea, "near-zero-area", "vk:primsrast-polygons-basic",
                 "the sign of the area, and so the facing, depends on a legal snapping"},
+    FreedomInfo{DivisionByZero, "division-by-zero", "vk:vertexpostproc-coord-transform",
+                "a vertex at the origin of clip space is inside the view volume, but dividing by its w is undefined"},
     FreedomInfo{AttributePosition, "attribute-position", "vk:shaders-interpolation-decorations",
                 "an undecorated input may be evaluated anywhere in the fragment's area"},
     FreedomInfo{Evaluation, "evaluation", "vk:primsrast-polygon-barycentrics",

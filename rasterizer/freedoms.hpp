@@ -15,6 +15,7 @@ enum class Freedom : uint8_t {
   ViewportBounds,      ///< viewport bounds are honoured to viewportSubPixelBits only
   ClipVertexPosition,  ///< position of vertices that clipping makes has no stated precision
   NearZeroArea,        ///< facing of a triangle whose area changes sign under legal snapping
+  DivisionByZero,      ///< a vertex with w = 0 inside the view volume has no place on the screen
   AttributePosition,   ///< undecorated inputs: anywhere in the fragment area
   Evaluation,          ///< interpolation has no stated precision: derived float32 evaluation bound
 };

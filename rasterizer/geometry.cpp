@@ -89,6 +89,7 @@ void forEachPrimitive(const Scene& scene, const Rules& rules, RuleCounts& counts
       for (size_t i = 0; i < 3; ++i) primitive.clip[i] = draw.positions[assembled.vertices[i]];
       const auto code = [&](size_t i) { return outcodes[assembled.vertices[i]]; };
       primitive.polygon.clear();
+      primitive.unprojectable = false;
       primitive.cut = (code(0) | code(1) | code(2)) != 0;
       if (!primitive.cut) {
         for (size_t i = 0; i < 3; ++i) {
@@ -98,7 +99,13 @@ void forEachPrimitive(const Scene& scene, const Rules& rules, RuleCounts& counts
           primitive.polygon.push_back(vertex);
         }
         // Inside the volume w >= |x|, so w = 0 means the origin of clip space, which has no place on the screen.
-        if (primitive.clip[0].w <= 0 || primitive.clip[1].w <= 0 || primitive.clip[2].w <= 0) continue;
+        primitive.unprojectable = primitive.clip[0].w <= 0 || primitive.clip[1].w <= 0 || primitive.clip[2].w <= 0;
+        if (primitive.unprojectable) {
+          primitive.polygon.clear();
+          primitive.pieces.clear();
+          if (rules.open) visit(primitive);
+          continue;
+        }
       } else {
         ++counts[Rule::ViewVolume];
         if ((code(0) & code(1) & code(2)) != 0) continue;

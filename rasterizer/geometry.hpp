@@ -43,13 +43,14 @@ struct Primitive {
   AssembledTriangle assembled;
   std::array<ClipPosition, 3> clip;
   bool cut = false;
+  bool unprojectable = false;  ///< some w is 0: no polygon, and no sample of the target is certain (open rules)
   std::vector<RasterVertex> polygon;
   std::vector<SetupTriangle> pieces;
 };
 
 using PrimitiveVisitor = std::function<void(const Primitive&)>;
 
-/// Visits every primitive that has at least one piece, in drawing order. The Primitive is reused between calls.
+/// Visits every primitive that has at least one piece (open rules: or may have one), in drawing order. The Primitive is reused between calls.
 /// Counts ViewVolume, Facing and Culling.
 void forEachPrimitive(const Scene& scene, const Rules& rules, RuleCounts& counts, const PrimitiveVisitor& visit);
 

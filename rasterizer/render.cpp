@@ -31,7 +31,8 @@ class Renderer {
       drawPiece(primitive, piece);
       countInterpolation(primitive);
     }
-    if (open_) markBand(primitive);
+    if (open_ && primitive.unprojectable) markEverything();
+    if (open_ && !primitive.unprojectable) markBand(primitive);
   }
 
   Frame take() { return writer_.take(); }
@@ -74,6 +75,14 @@ class Renderer {
       if (varying.interpolation == Interpolation::flat) {
         ++counts_[Rule::ProvokingVertex];
         break;
+      }
+    }
+  }
+
+  void markEverything() {
+    for (int32_t y = area_.top; y < area_.bottom; ++y) {
+      for (int32_t x = area_.left; x < area_.right; ++x) {
+        for (uint32_t s = 0; s < pattern_.size(); ++s) writer_.markCoverage(x, y, s, Coverage::Either);
       }
     }
   }

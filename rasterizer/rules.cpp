@@ -36,6 +36,7 @@ Result<Rules> Rules::profile(std::string_view name, const Limits& limits) {
         cpuFusesMultiplyAdd() ? ViewportArithmetic::Float32Fma : ViewportArithmetic::Float32;
     rules.choices.snapOrigin = SnapOrigin::CentreAtOneSample;
     rules.choices.clipArithmetic = ClipArithmetic::Float32Linear;
+    rules.choices.pointArithmetic = PointArithmetic::SnappedCentre;
     return rules;
   }
   return fail(ErrorCode::BadInput, "--rules", "there is no profile named \"" + std::string(name) + "\"",

@@ -37,12 +37,19 @@ enum class ClipArithmetic : uint8_t {
   Float32Linear,   ///< float32 lerp from the nearer end, plane by plane: +x -x +y -y near far
 };
 
+/// [choice:point-arithmetic] how the square of a point is placed. [vk:primsrast-points]
+enum class PointArithmetic : uint8_t {
+  Exact,          ///< around the unrounded vertex
+  SnappedCentre,  ///< around the snapped vertex, its side in whole subpixels and at least one pixel
+};
+
 struct Choices {
   ViewportArithmetic viewportArithmetic = ViewportArithmetic::Exact;
   SnapRounding snapRounding = SnapRounding::NearestEven;
   SnapOrigin snapOrigin = SnapOrigin::Corner;
   TieOwner tieOwner = TieOwner::TopLeft;
   ClipArithmetic clipArithmetic = ClipArithmetic::Exact;
+  PointArithmetic pointArithmetic = PointArithmetic::Exact;
   friend bool operator==(const Choices&, const Choices&) = default;
 };
 

@@ -62,6 +62,14 @@ bool isExactly(float coordinate, float w, const ViewportAxis& axis, int bits, do
 
 }  // namespace
 
+int32_t ceilingExactly(float coordinate, float w, const ViewportAxis& axis, double shift) {
+  const double value = approximate(coordinate, w, axis, kSubpixelBits) + shift;
+  const double near = std::nearbyint(value);
+  if (decides(value, near)) return static_cast<int32_t>(std::ceil(value));
+  const int side = signAgainst(coordinate, w, axis, kSubpixelBits, 2 * (near - shift));
+  return static_cast<int32_t>(side > 0 ? near + 1 : near);
+}
+
 int gridBits(const Rules& rules) {
   if (rules.error == DeliberateError::CoarseSnap) return 4;
   return static_cast<int>(std::min<uint32_t>(rules.limits.subPixelPrecisionBits, kSubpixelBits));

@@ -18,6 +18,10 @@ inline constexpr double kGuardBand = 1 << 20;
 /// Rounds x / w · scale + offset exactly: no float error can turn a tie or cross a half.
 [[nodiscard]] int32_t snapExactly(float coordinate, float w, const ViewportAxis& axis, int bits, SnapRounding rounding);
 
+/// The smallest integer n with n >= 256 (x / w · scale + offset) + shift, exactly; `shift` is a multiple of 2^-10 with
+/// |shift| < 2^20.  // result: Q23.8
+[[nodiscard]] int32_t ceilingExactly(float coordinate, float w, const ViewportAxis& axis, double shift);
+
 /// Snaps one coordinate of an unclipped vertex under closed rules. `samples` matters to [choice:snap-origin].
 [[nodiscard]] int32_t snapUnder(const Rules& rules, uint32_t samples, float coordinate, float w,
                                 const ViewportAxis& axis);

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "scene/vulkan_enums.hpp"
+
 namespace rasterdiff {
 
 struct Limits {
@@ -13,6 +15,14 @@ struct Limits {
   uint32_t maxFramebufferWidth = 16384, maxFramebufferHeight = 16384;
   bool provokingVertexLast = true;
   bool depthClipControl = true;
+  bool strictLines = true;
+  bool rectangularLines = true, bresenhamLines = true, smoothLines = false;
+  bool stippledRectangularLines = false, stippledBresenhamLines = false;
+  float lineWidthMin = 1, lineWidthMax = 1, lineWidthGranularity = 0;
+  float pointSizeMin = 1, pointSizeMax = 1, pointSizeGranularity = 0;
+  PointClippingBehavior pointClippingBehavior = PointClippingBehavior::ALL_CLIP_PLANES;
+  uint32_t subPixelInterpolationOffsetBits = 4;
+  float minInterpolationOffset = -0.5F, maxInterpolationOffset = 0.4375F;
   friend bool operator==(const Limits&, const Limits&) = default;
 };
 

@@ -145,10 +145,10 @@ Check checkVarying(const std::string& where, const Varying& varying, size_t vert
     return bad(where + ".values", fmt::format("{} components a vertex", varying.components), "1 to 4");
   }
   if (varying.values.size() != vertices * varying.components) {
-    return bad(where + ".values",
-               fmt::format("{} values for {} vertices of {} components", varying.values.size(), vertices,
-                           varying.components),
-               "one value (of 1 to 4 components) for every position");
+    return bad(
+        where + ".values",
+        fmt::format("{} values for {} vertices of {} components", varying.values.size(), vertices, varying.components),
+        "one value (of 1 to 4 components) for every position");
   }
   if (allowNonFinite) return {};
   for (size_t i = 0; i < varying.values.size(); ++i) {
@@ -247,8 +247,9 @@ Result<void> validate(const Scene& scene) {
   }
   if (primitives >= UINT32_MAX) return bad("draws", "more than 2^32 - 2 primitives");
   if (frameBytes(scene) > kMaxFrameBytes) {
-    return bad("target", fmt::format("the planes of this scene would take {} MiB; at most {}",
-                                     frameBytes(scene) >> 20, kMaxFrameBytes >> 20),
+    return bad("target",
+               fmt::format("the planes of this scene would take {} MiB; at most {}", frameBytes(scene) >> 20,
+                           kMaxFrameBytes >> 20),
                "use a smaller target, fewer samples or fewer varyings");
   }
   return {};

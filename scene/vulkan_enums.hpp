@@ -14,6 +14,9 @@ enum class CompareOp : uint32_t {
 };
 enum class DepthFormat : uint32_t { D32_SFLOAT = 126 };
 
+/// VkPointClippingBehavior, as the device advertises it.
+enum class PointClippingBehavior : uint32_t { ALL_CLIP_PLANES = 0, USER_CLIP_PLANES_ONLY = 1 };
+
 /// How a fragment shader input is interpolated; `smooth` is Vulkan's undecorated, perspective-correct default.
 enum class Interpolation : uint32_t { smooth = 0, noperspective = 1, flat = 2 };
 

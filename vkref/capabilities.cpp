@@ -90,7 +90,6 @@ Result<Capabilities> inspect(VkPhysicalDevice physicalDevice) {
   Capabilities caps;
   VkPhysicalDeviceProperties base{};
   vkGetPhysicalDeviceProperties(physicalDevice, &base);
-  caps.apiVersion = base.apiVersion;
   caps.vk = base.limits;
   if (base.apiVersion < VK_API_VERSION_1_3) {
     return lacks(fmt::format("{} offers Vulkan {}, 1.3 is needed", base.deviceName, versionText(base.apiVersion)));
@@ -99,22 +98,22 @@ Result<Capabilities> inspect(VkPhysicalDevice physicalDevice) {
   auto properties = vkStruct<VkPhysicalDeviceProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &driver);
   vkGetPhysicalDeviceProperties2(physicalDevice, &properties);
   caps.driver = {driver.driverName, driver.driverInfo, base.deviceName, versionText(base.apiVersion), {}, {}};
+  if (caps.driver.info.empty()) caps.driver.info = "driver version " + versionText(base.driverVersion);
 
   const std::vector<std::string> extensions = extensionsOf(physicalDevice);
   const auto has = [&](const char* name) { return std::binary_search(extensions.begin(), extensions.end(), name); };
-  caps.provokingVertexExtension = has(VK_EXT_PROVOKING_VERTEX_EXTENSION_NAME);
-  caps.depthClipControlExtension = has(VK_EXT_DEPTH_CLIP_CONTROL_EXTENSION_NAME);
-  caps.depthRangeUnrestricted = has(VK_EXT_DEPTH_RANGE_UNRESTRICTED_EXTENSION_NAME);
 
   auto features13 = vkStruct<VkPhysicalDeviceVulkan13Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES);
   auto features = vkStruct<VkPhysicalDeviceFeatures2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features13);
-  auto provoking = vkStruct<VkPhysicalDeviceProvokingVertexFeaturesEXT>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROVOKING_VERTEX_FEATURES_EXT);
-  auto clip = vkStruct<VkPhysicalDeviceDepthClipControlFeaturesEXT>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DEPTH_CLIP_CONTROL_FEATURES_EXT);
-  if (caps.provokingVertexExtension) {
+  auto provoking = vkStruct<VkPhysicalDeviceProvokingVertexFeaturesEXT>(
+      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROVOKING_VERTEX_FEATURES_EXT);
+  auto clip = vkStruct<VkPhysicalDeviceDepthClipControlFeaturesEXT>(
+      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DEPTH_CLIP_CONTROL_FEATURES_EXT);
+  if (has(VK_EXT_PROVOKING_VERTEX_EXTENSION_NAME)) {
     provoking.pNext = features.pNext;
     features.pNext = &provoking;
   }
-  if (caps.depthClipControlExtension) {
+  if (has(VK_EXT_DEPTH_CLIP_CONTROL_EXTENSION_NAME)) {
     clip.pNext = features.pNext;
     features.pNext = &clip;
   }

@@ -31,12 +31,8 @@ struct Capabilities {
   Limits limits;
   DriverInfo driver;
   uint32_t queueFamily = 0;
-  uint32_t apiVersion = 0;
   bool geometryShader = false;       ///< gl_PrimitiveID exists in fragment shaders
   bool fullDrawIndexUint32 = false;
-  bool provokingVertexExtension = false;  ///< Limits::provokingVertexLast says whether the feature is there
-  bool depthClipControlExtension = false;
-  bool depthRangeUnrestricted = false;
   VkDeviceSize largestHeap = 0;      ///< bytes
 };
 

@@ -2,24 +2,12 @@
 #include "vkref/commands.hpp"
 #include "vkref/vk_struct.hpp"
 
-#include <algorithm>
-#include <limits>
-
 namespace rasterdiff::vkref {
 namespace {
 
-/// `scissor` cut to the target, which changes no sample and keeps offsets legal (not negative).
 VkRect2D scissorOf(const Scene& scene) {
-  const Target& target = scene.target;
-  if (!scene.scissor) return {{0, 0}, {target.width, target.height}};
-  const auto cut = [](int32_t offset, uint32_t extent, uint32_t size) {
-    const int64_t lo = std::clamp<int64_t>(offset, 0, size);
-    const int64_t hi = std::clamp<int64_t>(int64_t{offset} + extent, lo, size);
-    return std::pair(static_cast<int32_t>(lo), static_cast<uint32_t>(hi - lo));
-  };
-  const auto [x, width] = cut(scene.scissor->x, scene.scissor->width, target.width);
-  const auto [y, height] = cut(scene.scissor->y, scene.scissor->height, target.height);
-  return {{x, y}, {width, height}};
+  if (!scene.scissor) return {{0, 0}, {scene.target.width, scene.target.height}};
+  return {{scene.scissor->x, scene.scissor->y}, {scene.scissor->width, scene.scissor->height}};
 }
 
 /// The push constants that number primitives by vertex: the provoking vertex of primitive p is firstProvoking + p.

@@ -18,8 +18,10 @@ Result<std::unique_ptr<Context>> Context::create(VkPhysicalDevice physicalDevice
   features.features.geometryShader = caps.geometryShader;
   features.features.fullDrawIndexUint32 = caps.fullDrawIndexUint32;
 
-  auto provoking = vkStruct<VkPhysicalDeviceProvokingVertexFeaturesEXT>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROVOKING_VERTEX_FEATURES_EXT);
-  auto clip = vkStruct<VkPhysicalDeviceDepthClipControlFeaturesEXT>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DEPTH_CLIP_CONTROL_FEATURES_EXT);
+  auto provoking = vkStruct<VkPhysicalDeviceProvokingVertexFeaturesEXT>(
+      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROVOKING_VERTEX_FEATURES_EXT);
+  auto clip = vkStruct<VkPhysicalDeviceDepthClipControlFeaturesEXT>(
+      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DEPTH_CLIP_CONTROL_FEATURES_EXT);
   if (caps.limits.provokingVertexLast) {
     extensions.push_back(VK_EXT_PROVOKING_VERTEX_EXTENSION_NAME);
     provoking.provokingVertexLast = VK_TRUE;
@@ -32,7 +34,6 @@ Result<std::unique_ptr<Context>> Context::create(VkPhysicalDevice physicalDevice
     clip.pNext = features.pNext;
     features.pNext = &clip;
   }
-  if (caps.depthRangeUnrestricted) extensions.push_back(VK_EXT_DEPTH_RANGE_UNRESTRICTED_EXTENSION_NAME);
 
   const float priority = 1;
   auto queue = vkStruct<VkDeviceQueueCreateInfo>(VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO);

@@ -19,8 +19,8 @@ struct DeviceOptions {
 };
 
 struct DriverInfo {
-  std::string name;        ///< VkPhysicalDeviceDriverProperties::driverName
-  std::string info;        ///< ... driverInfo: the exact version that was tested
+  std::string name;        ///< VkPhysicalDeviceDriverProperties::driverName ("llvmpipe" for lavapipe)
+  std::string info;        ///< ... driverInfo, or driverVersion where that is empty: what exactly was tested
   std::string deviceName;
   std::string apiVersion;  ///< "1.3.230"
   std::string manifest;    ///< path of the ICD manifest
@@ -28,6 +28,8 @@ struct DriverInfo {
 };
 
 /// What the last render() made on the driver's side: how a test knows that nothing unneeded was asked for.
+/// Bytes are those of texels and of planes, without a driver's padding; images and buffers of earlier scenes are reused
+/// and count as if they were new.
 struct RenderCost {
   uint32_t colorAttachments = 0, depthAttachments = 0, passes = 0;
   uint64_t attachmentBytes = 0, readbackBytes = 0;
@@ -35,6 +37,8 @@ struct RenderCost {
   uint32_t pipelinesCreated = 0;
 };
 
+/// One thread at a time; several devices may be open at once, of one driver or of several. Close it before main
+/// returns: drivers and layers do not outlive that.
 class Device {
  public:
   struct Impl;

@@ -30,7 +30,8 @@ void addLimits(const VkPhysicalDeviceLimits& limits, Facts& facts) {
   add("subPixelInterpolationOffsetBits", fmt::format("{}", limits.subPixelInterpolationOffsetBits));
   add("interpolationOffset", fmt::format("{}..{}", limits.minInterpolationOffset, limits.maxInterpolationOffset));
   add("maxFramebuffer", fmt::format("{} × {}", limits.maxFramebufferWidth, limits.maxFramebufferHeight));
-  add("maxViewportDimensions", fmt::format("{} × {}", limits.maxViewportDimensions[0], limits.maxViewportDimensions[1]));
+  add("maxViewportDimensions",
+      fmt::format("{} × {}", limits.maxViewportDimensions[0], limits.maxViewportDimensions[1]));
   add("viewportBoundsRange", fmt::format("{}..{}", limits.viewportBoundsRange[0], limits.viewportBoundsRange[1]));
   add("maxViewports", fmt::format("{}", limits.maxViewports));
   add("maxColorAttachments", fmt::format("{}", limits.maxColorAttachments));
@@ -47,8 +48,10 @@ void addLimits(const VkPhysicalDeviceLimits& limits, Facts& facts) {
 
 void addFeatures(VkPhysicalDevice physicalDevice, const std::vector<std::string>& extensions, Facts& facts) {
   const bool lines = std::binary_search(extensions.begin(), extensions.end(), VK_EXT_LINE_RASTERIZATION_EXTENSION_NAME);
-  auto line = vkStruct<VkPhysicalDeviceLineRasterizationFeaturesEXT>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_LINE_RASTERIZATION_FEATURES_EXT);
-  auto features = vkStruct<VkPhysicalDeviceFeatures2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, lines ? &line : nullptr);
+  auto line = vkStruct<VkPhysicalDeviceLineRasterizationFeaturesEXT>(
+      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_LINE_RASTERIZATION_FEATURES_EXT);
+  auto features = vkStruct<VkPhysicalDeviceFeatures2>(
+      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, lines ? &line : nullptr);
   vkGetPhysicalDeviceFeatures2(physicalDevice, &features);
   const VkPhysicalDeviceFeatures& core = features.features;
   const std::pair<const char*, VkBool32> named[] = {

@@ -3,7 +3,6 @@
 
 #include <bit>
 #include <cstring>
-#include <limits>
 
 namespace rasterdiff::vkref {
 namespace {
@@ -41,7 +40,7 @@ Result<Geometry> upload(const Scene& scene, bool expand, Pool<Buffer>& buffers) 
   Geometry geometry;
   std::vector<const Draw*> sources;
   VkDeviceSize bytes = 0;
-  uint64_t primitives = 0;
+  uint32_t primitives = 0;
   const auto reserve = [&bytes](size_t size) {
     const VkDeviceSize offset = bytes;
     bytes = roundUp(bytes + size, kArrayAlignment);
@@ -51,12 +50,9 @@ Result<Geometry> upload(const Scene& scene, bool expand, Pool<Buffer>& buffers) 
     DrawCommand command;
     command.count = vertexCount(draw);
     command.indexed = draw.indices && !expand;
-    command.firstPrimitive = static_cast<uint32_t>(primitives);
+    command.firstPrimitive = primitives;
     const uint32_t own = primitiveCount(scene.state.topology, command.count);
-    primitives += own;
-    if (primitives >= std::numeric_limits<uint32_t>::max()) {
-      return fail(ErrorCode::NotOffered, "draws", "more primitives than a 32-bit index can number");
-    }
+    primitives += own;  // validate() has seen that all fit 32 bits
     if (own == 0) continue;
     const size_t vertices = command.indexed ? draw.positions.size() : command.count;
     command.positions = reserve(vertices * sizeof(ClipPosition));

@@ -26,7 +26,7 @@ struct Geometry {
 
 /// Draws without a whole primitive are left out. With `expand`, indexed draws become draws of one vertex an index, in
 /// the order of the indices: the same primitives, with consecutive vertex numbers.
-/// Error: NotOffered when memory ran out, or primitives cannot be numbered in 32 bits.
+/// `scene` has passed validate(). Error: NotOffered when memory ran out.
 [[nodiscard]] Result<Geometry> upload(const Scene& scene, bool expand, Pool<Buffer>& buffers);
 
 /// A buffer of at least `bytes`, rounded up so that scenes of like size share it.

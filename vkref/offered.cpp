@@ -15,7 +15,7 @@ tl::unexpected<Error> notOffered(std::string where, std::string what) {
   return fail(ErrorCode::NotOffered, std::move(where), std::move(what), "`rasterdiff devices` shows the limits");
 }
 
-Result<void> checkTarget(const Scene& scene, const RenderPlan& plan, const Capabilities& caps) {
+Result<void> checkTarget(const RenderPlan& plan, const Capabilities& caps) {
   const Limits& limits = caps.limits;
   if (plan.width > limits.maxFramebufferWidth || plan.height > limits.maxFramebufferHeight) {
     return notOffered("target", fmt::format("{} × {} pixels, the device has at most {} × {}", plan.width, plan.height,
@@ -23,10 +23,6 @@ Result<void> checkTarget(const Scene& scene, const RenderPlan& plan, const Capab
   }
   if (!std::has_single_bit(plan.samples) || !(limits.framebufferSampleCounts & plan.samples)) {
     return notOffered("target.samples", fmt::format("{} samples are not offered", plan.samples));
-  }
-  const bool outside = !(scene.target.depthClearValue >= 0 && scene.target.depthClearValue <= 1);
-  if (plan.depth && outside && !caps.depthRangeUnrestricted) {
-    return notOffered("target.depthClearValue", "outside 0..1, which needs VK_EXT_depth_range_unrestricted");
   }
   VkDeviceSize bytes = plan.depth ? Image::texelBytes({kDepthFormat, plan.width, plan.height, plan.samples}) : 0;
   for (const AttachmentPlan& color : plan.color) {
@@ -52,17 +48,13 @@ Result<void> checkViewport(const Viewport& viewport, const Capabilities& caps) {
     return notOffered("viewport", fmt::format("larger than {} × {} or outside {}..{}", vk.maxViewportDimensions[0],
                                               vk.maxViewportDimensions[1], lowest, highest));
   }
-  const auto unit = [](float depth) { return depth >= 0 && depth <= 1; };
-  if (!caps.depthRangeUnrestricted && !(unit(viewport.minDepth) && unit(viewport.maxDepth))) {
-    return notOffered("viewport.minDepth", "depths outside 0..1, which needs VK_EXT_depth_range_unrestricted");
-  }
   return {};
 }
 
 }  // namespace
 
 Result<void> checkOffered(const Scene& scene, const RenderPlan& plan, const Capabilities& caps) {
-  if (const Result<void> target = checkTarget(scene, plan, caps); !target) return target;
+  if (const Result<void> target = checkTarget(plan, caps); !target) return target;
   if (const Result<void> viewport = checkViewport(scene.viewport, caps); !viewport) return viewport;
   const State& state = scene.state;
   if (state.provokingVertexMode == ProvokingVertexMode::LAST_VERTEX && !caps.limits.provokingVertexLast) {

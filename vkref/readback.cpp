@@ -2,9 +2,9 @@
 #include "vkref/readback.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 #include "vkref/commands.hpp"
+#include "vkref/huge_pages.hpp"
 #include "vkref/vk_error.hpp"
 #include "vkref/vk_struct.hpp"
 
@@ -38,6 +38,7 @@ void recordHostBarrier(const Context& context, VkCommandBuffer commands) {
   context.vk.vkCmdPipelineBarrier2(commands, &info);
 }
 
+/// A plane of the plan's extents without any data yet, and room for all of it.
 template <class T>
 Plane<T> emptyPlane(const RenderPlan& plan, uint32_t components) {
   Plane<T> plane;
@@ -45,10 +46,12 @@ Plane<T> emptyPlane(const RenderPlan& plan, uint32_t components) {
   plane.height = plan.height;
   plane.samples = plan.samples;
   plane.components = components;
+  plane.data.reserve(size_t{plan.width} * plan.height * plan.samples * components);
+  adviseHugePages(plane.data.data(), plane.data.capacity() * sizeof(T));
   return plane;
 }
 
-/// The bytes at `from` as a plane, in one pass over them.
+/// The values at `from` as a plane, `stride` of them a sample; a single copy where they lie tight.
 template <class T>
 Plane<T> copyPlane(const RenderPlan& plan, const std::byte* from, uint32_t components, uint32_t stride) {
   Plane<T> plane = emptyPlane<T>(plan, components);
@@ -64,6 +67,23 @@ Plane<T> copyPlane(const RenderPlan& plan, const std::byte* from, uint32_t compo
   return plane;
 }
 
+/// Counts that were summed as floats. Error: NotOffered where a sum has stopped being exact.
+Result<Plane<uint32_t>> countPlane(const RenderPlan& plan, const std::byte* from, uint32_t stride) {
+  Plane<uint32_t> plane = emptyPlane<uint32_t>(plan, 1);
+  plane.data.resize(size_t{plan.width} * plan.height * plan.samples);
+  const float* counts = reinterpret_cast<const float*>(from);
+  bool exact = true;
+  for (size_t i = 0; i < plane.data.size(); ++i) {
+    const float count = counts[i * stride];
+    exact &= count < kInexactCount;
+    plane.data[i] = static_cast<uint32_t>(count < kInexactCount ? count : 0);
+  }
+  if (!exact) {
+    return fail(ErrorCode::NotOffered, "draws", "a sample was written 2^24 times or more: float counts end there");
+  }
+  return plane;
+}
+
 }  // namespace
 
 Result<Readback> recordReadback(const Context& context, VkCommandBuffer commands, const RenderPlan& plan,
@@ -75,7 +95,7 @@ Result<Readback> recordReadback(const Context& context, VkCommandBuffer commands
   const auto place = [&](uint32_t components, VkFormat format) {
     PlaneLocation location;
     location.offset = bytes;
-    location.stride = copies ? texelComponents(format) : components;
+    location.stride = copies ? texelComponents(format) : unpackedComponents(plan.samples, components);
     const VkDeviceSize size = VkDeviceSize{plan.width} * plan.height * plan.samples * location.stride * 4;
     cost.readbackBytes += size;
     bytes += (size + kPlaneAlignment - 1) / kPlaneAlignment * kPlaneAlignment;
@@ -107,18 +127,18 @@ Result<Readback> recordReadback(const Context& context, VkCommandBuffer commands
   recordBarriers(context, commands, barriers);
 
   if (const Result<void> reset = unpack.reset(); !reset) return tl::unexpected(reset.error());
-  const auto record = [&](const Image& image, uint32_t components, const PlaneLocation& location) -> Result<void> {
+  const auto record = [&](const Image& image, const PlaneLocation& location) -> Result<void> {
     const VkBuffer to = readback.buffer->buffer.get();
-    if (!copies) return unpack.record(commands, image, components, to, location.offset);
+    if (!copies) return unpack.record(commands, image, location.stride, to, location.offset);
     recordCopy(context, commands, image, to, location.offset);
     return {};
   };
   for (size_t i = 0; i < plan.color.size(); ++i) {
-    const Result<void> recorded = record(*attachments.color[i], plan.color[i].components, readback.color[i]);
+    const Result<void> recorded = record(*attachments.color[i], readback.color[i]);
     if (!recorded) return tl::unexpected(recorded.error());
   }
   if (attachments.depth) {
-    const Result<void> recorded = record(*attachments.depth, 1, readback.depth);
+    const Result<void> recorded = record(*attachments.depth, readback.depth);
     if (!recorded) return tl::unexpected(recorded.error());
   }
   recordHostBarrier(context, commands);
@@ -127,29 +147,21 @@ Result<Readback> recordReadback(const Context& context, VkCommandBuffer commands
 
 Result<Frame> frameOf(const Scene& scene, const RenderPlan& plan, const Readback& readback) {
   const std::byte* mapped = readback.buffer->mapped;
+  const auto plane = [&]<class T>(T, uint32_t components, const PlaneLocation& location) {
+    return copyPlane<T>(plan, mapped + location.offset, components, location.stride);
+  };
   Frame frame;
   frame.width = plan.width;
   frame.height = plan.height;
   frame.samples = plan.samples;
-  frame.primitive = copyPlane<uint32_t>(plan, mapped + readback.color[0].offset, 1, 1);
-
-  const size_t samples = frame.primitive.data.size();
-  const float* counts = reinterpret_cast<const float*>(mapped + readback.color[1].offset);
-  frame.count = Plane<uint32_t>(plan.width, plan.height, plan.samples);
-  float largest = 0;
-  for (size_t i = 0; i < samples; ++i) {
-    largest = std::max(largest, counts[i]);
-    frame.count.data[i] = static_cast<uint32_t>(counts[i]);
-  }
-  if (!(largest < kInexactCount)) {
-    return fail(ErrorCode::NotOffered, "draws", "a sample was written 2^24 times or more: float counts end there");
-  }
-  if (plan.depth) frame.depth = copyPlane<float>(plan, mapped + readback.depth.offset, 1, readback.depth.stride);
+  frame.primitive = plane(uint32_t{}, 1, readback.color[0]);
+  Result<Plane<uint32_t>> counts = countPlane(plan, mapped + readback.color[1].offset, readback.color[1].stride);
+  if (!counts) return tl::unexpected(counts.error());
+  frame.count = std::move(*counts);
+  if (plan.depth) frame.depth = plane(float{}, 1, readback.depth);
   for (size_t i = 2; i < plan.color.size(); ++i) {
-    frame.varyings.push_back({scene.draws.front().varyings[i - 2].name,
-                              copyPlane<float>(plan, mapped + readback.color[i].offset, plan.color[i].components,
-                                               readback.color[i].stride),
-                              std::nullopt});
+    const std::string& name = scene.draws.front().varyings[i - 2].name;
+    frame.varyings.push_back({name, plane(float{}, plan.color[i].components, readback.color[i]), std::nullopt});
   }
   return frame;
 }

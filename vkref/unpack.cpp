@@ -12,7 +12,7 @@ namespace rasterdiff::vkref {
 namespace {
 
 constexpr uint32_t kSetsPerPool = 16;
-constexpr uint32_t kGroup = 8;  ///< local size of the shader, both ways
+constexpr uint32_t kGroupWidth = 16, kGroupHeight = 4;  ///< local size of the shader
 
 struct Band {
   int32_t firstRow = 0, rows = 0, width = 0;
@@ -28,6 +28,10 @@ VkDeviceSize rowsPerBand(const VkPhysicalDeviceLimits& limits, VkDeviceSize rowB
 }
 
 }  // namespace
+
+uint32_t unpackedComponents(uint32_t samples, uint32_t components) {
+  return samples == 2 && components % 2 == 1 ? components + 1 : components;
+}
 
 Result<std::unique_ptr<Unpack>> Unpack::create(const Context& context, VkPipelineCache driverCache) {
   std::unique_ptr<Unpack> self(new Unpack(context));
@@ -136,8 +140,8 @@ Result<void> Unpack::record(VkCommandBuffer commands, const Image& image, uint32
     context_.vk.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0, 1, &*set, 0,
                                         nullptr);
     context_.vk.vkCmdPushConstants(commands, layout_.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(band), &band);
-    context_.vk.vkCmdDispatch(commands, (key.width + kGroup - 1) / kGroup,
-                              static_cast<uint32_t>((rows + kGroup - 1) / kGroup), 1);
+    context_.vk.vkCmdDispatch(commands, (key.width + kGroupWidth - 1) / kGroupWidth,
+                              static_cast<uint32_t>((rows + kGroupHeight - 1) / kGroupHeight), 1);
   }
   return {};
 }

@@ -8,6 +8,9 @@
 
 namespace rasterdiff::vkref {
 
+/// Components a sample that can be unpacked when `components` are wanted: the shader stores whole groups of four words.
+[[nodiscard]] uint32_t unpackedComponents(uint32_t samples, uint32_t components);
+
 class Unpack {
  public:
   [[nodiscard]] static Result<std::unique_ptr<Unpack>> create(const Context& context, VkPipelineCache driverCache);
@@ -15,7 +18,7 @@ class Unpack {
   /// Begins a new submission: what was recorded before has been executed.
   [[nodiscard]] Result<void> reset();
   /// Records the copy of the first `components` components of all samples of `image` (in SHADER_READ_ONLY layout)
-  /// into `buffer` at `offset`, tight. Error: DeviceLost, NotOffered (memory).
+  /// into `buffer` at `offset`, tight; `components` as unpackedComponents gives them. Error: DeviceLost, NotOffered.
   [[nodiscard]] Result<void> record(VkCommandBuffer commands, const Image& image, uint32_t components, VkBuffer buffer,
                                     VkDeviceSize offset);
   [[nodiscard]] uint32_t created() const { return created_; }  ///< pipelines, since the device was opened

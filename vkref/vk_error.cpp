@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace rasterdiff::vkref {
 
 std::string resultName(VkResult result) {
@@ -37,12 +39,12 @@ std::string resultName(VkResult result) {
 tl::unexpected<Error> callFailed(std::string_view call, VkResult result) {
   std::string_view name = call.substr(0, call.find('('));
   name.remove_prefix(std::min(name.find_last_of(".>") + 1, name.size()));
-  const bool memory = result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY;
-  return memory ? fail(ErrorCode::NotOffered, std::string(name),
-                       fmt::format("{} returned {}: the scene needs more memory than there is", name, resultName(result)),
-                       "make the target smaller, or take fewer samples or varyings")
-                : fail(ErrorCode::DeviceLost, std::string(name), fmt::format("{} returned {}", name, resultName(result)),
-                       "run `rasterdiff devices`, and again with --validate");
+  const std::string what = fmt::format("{} returned {}", name, resultName(result));
+  if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY) {
+    return fail(ErrorCode::NotOffered, std::string(name), what + ": the scene needs more memory than there is",
+                "make the target smaller, or take fewer samples or varyings");
+  }
+  return fail(ErrorCode::DeviceLost, std::string(name), what, "run `rasterdiff devices`, and again with --validate");
 }
 
 }  // namespace rasterdiff::vkref

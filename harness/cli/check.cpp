@@ -15,6 +15,7 @@
 #include "harness/cli/rule_choice.hpp"
 #include "harness/cli/run.hpp"
 #include "harness/cli/scene_check.hpp"
+#include "harness/compare/baseline.hpp"
 #include "harness/report/html.hpp"
 #include "harness/report/json.hpp"
 #include "harness/report/junit.hpp"
@@ -40,8 +41,8 @@ void work(WorkerLink& link, const CheckOptions& options, const std::vector<Job>&
   if (!rules) return link.cannotOpen(recordOf(rules.error()));
   // The process ends with the work and the system frees what the driver holds: a hang on closing is nobody's loss.
   Subject& driver = *subject->release();
-  link.opened(recordOf(RunSubject{options.choice.driver, driver.name(), driver.info(), driver.details(),
-                                  driver.limits(), rules->name, rules->open}));
+  link.opened(recordOf(RunSubject{options.choice.driver, driver.name(), driver.info(), subjectLine(driver),
+                                  driver.details(), driver.limits(), rules->name, rules->open}));
   CheckSettings settings;
   if (!options.dump.empty()) settings.dump = options.dump;
   while (const std::optional<uint32_t> job = link.nextJob()) {
@@ -108,6 +109,12 @@ std::set<uint32_t> picturedJobs(const std::vector<Job>& jobs, const std::vector<
 
 Verdict verdictOf(const Death& death) { return death.timedOut ? Verdict::TimedOut : Verdict::Crashed; }
 
+Result<Baseline> baselineOf(const CheckOptions& options) {
+  if (options.baseline.empty()) return builtInBaseline();
+  if (options.baseline == "none") return Baseline{};
+  return loadBaseline(options.baseline);
+}
+
 Result<void> writeOutputs(const CheckOptions& options, const Report& report) {
   if (!options.json.empty()) {
     if (Result<void> written = writeFile(options.json, jsonReport(report)); !written) return written;
@@ -170,6 +177,8 @@ int runVerb(const CheckOptions& options) {
     return complain({ErrorCode::BadInput, "--shard", "this part of the work is empty",
                      fmt::format("there are only {} scenes to share out", jobs->size())}, "rasterdiff list");
   }
+  const Result<Baseline> baseline = baselineOf(options);
+  if (!baseline) return complain(baseline.error(), "rasterdiff check --help");
   const std::set<uint32_t> pictured = picturedJobs(*jobs, order, !options.report.empty());
   Report report;
   Collector collector(*jobs);
@@ -202,6 +211,9 @@ int runVerb(const CheckOptions& options) {
   progress.clear();
   report.scenes = std::move(collector).entries();
   if (report.scenes.empty()) return openFailed(outcome);
+  for (SceneEntry& entry : report.scenes) {
+    if (!entry.error) applyBaseline(*baseline, report.subject.name, report.subject.info, entry.result);
+  }
   report.stopped = outcome.stopped;
   report.notRun = outcome.notRun;
   report.workers = std::min<unsigned>(pool.workers, static_cast<unsigned>(order.size()));

@@ -19,6 +19,7 @@ struct DriverChoice {
 struct CheckOptions {
   std::vector<std::string> scenes;  ///< empty = the whole catalogue
   DriverChoice choice;
+  std::string baseline;                   ///< file; "none"; empty = the differences known to this project
   std::string report, json, junit, dump;  ///< paths; empty = not wanted
   uint32_t shard = 1, shards = 1;         ///< 1-based
   uint32_t jobs = 0;                      ///< 0 = one a core

@@ -1,7 +1,8 @@
 #include "harness/cli/parse.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
-#include <map>
 
 namespace rasterdiff::harness::cli {
 namespace {
@@ -84,6 +85,8 @@ void addCheck(CLI::App& app, CheckOptions& options) {
   verb->footer(kCheckExamples);
   verb->add_option("SCENE", options.scenes, "Catalogue glob, scene file or folder");
   addDriverOptions(*verb, options.choice, ", fault:KIND[=GLOB] (self-test)");
+  verb->add_option("--baseline", options.baseline,
+                   "Known differences: a file, or none (default: those known to this project)");
   verb->add_option("--report", options.report, "Write one self-contained HTML file");
   verb->add_option("--json", options.json, "Write the results as JSON");
   verb->add_option("--junit", options.junit, "Write the results as JUnit XML");
@@ -106,6 +109,10 @@ void addCheck(CLI::App& app, CheckOptions& options) {
       ->needs("--count")
       ->capture_default_str();
   verb->add_flag("--validate", options.choice.validate, "Khronos validation with synchronization validation");
+  // A wrapper gives defaults before the user's words: the last one counts.
+  for (CLI::Option* option : verb->get_options([](const CLI::Option* o) { return !o->get_positional(); })) {
+    if (option->get_items_expected_max() == 1) option->take_last();
+  }
 }
 
 void addRender(CLI::App& app, RenderOptions& options) {
@@ -168,12 +175,14 @@ tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    const std::vector<CLI::App*> given = app.get_subcommands();
-    return tl::unexpected(NothingToRun{0, given.empty() ? app.help() : given.front()->help(), {}});
+    return tl::unexpected(NothingToRun{0, app.help(), {}});
   } catch (const CLI::CallForVersion& version) {
     return tl::unexpected(NothingToRun{0, std::string(version.what()) + "\n", {}});
   } catch (const CLI::ParseError& error) {
     const std::vector<CLI::App*> given = app.get_subcommands();
+    if (given.empty() && argc > 1 && argv[1][0] != '-') {
+      return tl::unexpected(NothingToRun{2, fmt::format("rasterdiff: there is no verb '{}'", argv[1]), "rasterdiff --help"});
+    }
     const std::string verb = given.empty() ? "" : " " + given.front()->get_name();
     return tl::unexpected(NothingToRun{2, "rasterdiff" + verb + ": " + error.what(), "rasterdiff" + verb + " --help"});
   }

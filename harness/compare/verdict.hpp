@@ -37,6 +37,14 @@ struct ValueStats {
   std::optional<Worst> firstDiffering;
 };
 
+/// How a scene's verdict stands to a baseline of known differences.
+enum class BaselineStatus : uint8_t {
+  None,          ///< no entry
+  ExpectedDiff,  ///< differs in just the planes that the entry names
+  Improved,      ///< listed, but no longer differs: the entry has to go
+};
+[[nodiscard]] std::string_view toString(BaselineStatus status);
+
 struct Seconds {
   double reference = 0, driver = 0, compare = 0;
 };
@@ -52,6 +60,14 @@ struct SceneResult {
   std::vector<ValueStats> values;
   std::map<std::string, uint64_t> ruleCoverage;  ///< rule name → times it decided
   Seconds seconds;
+  BaselineStatus baseline = BaselineStatus::None;
+  std::string baselineReason;  ///< of the entry: the driver's bug in a sentence
 };
+
+/// Planes that differ: "coverage", "depth" and names of varyings.
+[[nodiscard]] std::vector<std::string> differingPlanes(const SceneResult& result);
+
+/// A result that makes a run fail: it differs, crashed or timed out without a baseline entry for it, or improved on one.
+[[nodiscard]] bool isUnexpected(const SceneResult& result);
 
 }  // namespace rasterdiff::harness

@@ -10,23 +10,34 @@ namespace rasterdiff::harness {
 namespace {
 
 /// From harmless to wrong; the order is the rank when several samples share a pixel.
-enum class Mark : uint8_t { Empty, Same, ValueAllowed, Allowed, Differs };
+enum class Mark : uint8_t { Empty, Same, ValueClose, ValueHalfway, ValueFar, Allowed, Differs };
 
 using Rgba = std::array<uint8_t, 4>;
-constexpr std::array<Rgba, 5> kColours{
-    {{0, 0, 0, 0}, {128, 132, 140, 70}, {150, 108, 28, 150}, {245, 197, 24, 255}, {226, 32, 48, 255}}};
+constexpr std::array<Rgba, 7> kColours{{{0, 0, 0, 0},
+                                        {128, 132, 140, 70},
+                                        {152, 140, 110, 110},
+                                        {164, 128, 60, 160},
+                                        {186, 128, 20, 215},
+                                        {245, 197, 24, 255},
+                                        {226, 32, 48, 255}}};
 
-bool outside(float value, const Bounds& bounds) { return !(value >= bounds.lo && value <= bounds.hi); }
+/// How far inside its legal interval a value lies: an error below a tenth, below a half, up to the whole of the way.
+Mark markOfValue(float expected, float actual, const Bounds& bounds) {
+  if (!(actual >= bounds.lo && actual <= bounds.hi)) return Mark::Differs;
+  const double room = actual > expected ? double{bounds.hi} - expected : double{expected} - bounds.lo;
+  const double share = room > 0 ? std::abs(double{actual} - expected) / room : 0;
+  return share < 0.1 ? Mark::ValueClose : share < 0.5 ? Mark::ValueHalfway : Mark::ValueFar;
+}
 
-/// Same bits, else inside the bounds, else differing. Planes without bounds allow nothing but the same bits.
+/// Same bits, else by the bounds. Planes without bounds allow nothing but the same bits.
 Mark markOfValues(const Plane<float>& expected, const std::optional<Plane<Bounds>>& bounds, const Plane<float>& actual,
                   size_t sample) {
   Mark mark = Mark::Same;
   for (uint32_t c = 0; c < expected.components; ++c) {
     const size_t at = sample * expected.components + c;
     if (std::bit_cast<uint32_t>(expected.data[at]) == std::bit_cast<uint32_t>(actual.data[at])) continue;
-    if (!bounds || outside(actual.data[at], bounds->data[at])) return Mark::Differs;
-    mark = Mark::ValueAllowed;
+    if (!bounds) return Mark::Differs;
+    mark = std::max(mark, markOfValue(expected.data[at], actual.data[at], bounds->data[at]));
   }
   return mark;
 }

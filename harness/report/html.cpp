@@ -19,13 +19,11 @@ using Out = std::back_insert_iterator<std::string>;
 void writeHeader(Out out, const Report& report) {
   const RunSubject& subject = report.subject;
   const bool passed = exitStatus(report) == 0;
-  fmt::format_to(out, "<header><h1>rasterdiff</h1><div class=\"driver\"><b>{}</b> <span class=\"soft\">{}</span><br>",
-                 escaped(subject.name), escaped(subject.info));
+  fmt::format_to(out, "<header><h1>rasterdiff</h1><div class=\"driver\"><b>{}</b><br>", escaped(subject.line));
   fmt::format_to(out, "<span class=\"soft\">{}; {} subpixel bits",
                  subject.rulesOpen ? "Rules: the Vulkan specification, every choice open"
                                    : "Rules: profile " + escaped(subject.rules) + ", coverage must agree exactly",
                  subject.limits.subPixelPrecisionBits);
-  for (const auto& [name, value] : subject.details) fmt::format_to(out, "; {}", escaped(value));
   fmt::format_to(out, "</span></div><div class=\"badge{}\">{}</div></header>\n", passed ? "" : " fail", passed ? "PASS" : "FAIL");
 }
 
@@ -41,7 +39,9 @@ void writeTiles(Out out, const Report& report, const Totals& totals) {
   tile(grouped(totals.samples), "samples compared");
   tile(grouped(totals.same), "samples the same");
   tile(grouped(totals.allowed), "samples allowed");
-  tile(grouped(totals.differing), "samples differ");
+  tile(grouped(totals.differing), totals.expected > 0 ? fmt::format("samples differ; {} as the baseline expects",
+                                                                    counted(totals.expected, "scene"))
+                                                      : "samples differ");
   if (totals.values > 0) tile(grouped(totals.valuesDiffering), fmt::format("of {} values differ", grouped(totals.values)));
   tile(secondsText(report.wallSeconds), fmt::format("wall, {}", counted(report.workers, "worker")));
   fmt::format_to(out, "</div>\n");
@@ -62,13 +62,12 @@ void writeHero(Out out, const SceneEntry& hero) {
   const Pictures& pictures = hero.pictures;
   fmt::format_to(out, "<section class=\"hero\"><div class=\"pair\"><figure>{}<span class=\"tag\">driver</span></figure>",
                  htmlPicture(pictures.driver, pictures.width, pictures.height, "driver"));
-  fmt::format_to(out, "<figure>{}<span class=\"tag\">difference</span></figure></div>",
+  fmt::format_to(out, "<figure>{}<span class=\"tag\">difference: ochre = other bits, inside the legal interval</span></figure></div>",
                  htmlPicture(pictures.difference, pictures.width, pictures.height, "difference"));
   fmt::format_to(out,
-                 "<div class=\"about\"><span class=\"chip {0}\">{0}</span><b>{1}</b><span class=\"soft\">{2}; {3} × {4} pixels, "
-                 "{5}, {6}: {7} same, {8} allowed, {9} differ.</span></div></section>\n",
-                 verdictName(hero), escaped(result.id), escaped(hero.what), hero.width, hero.height,
-                 counted(hero.samplesPerPixel, "sample") + " a pixel", counted(hero.primitives, "primitive"),
+                 "<div class=\"about\"><span class=\"chip {0}\">{0}</span><b>{1}</b><span class=\"soft\">{2}, {3} a pixel: "
+                 "{4} same, {5} allowed, {6} differ.</span></div></section>\n",
+                 verdictName(hero), escaped(result.id), escaped(hero.what), counted(hero.samplesPerPixel, "sample"),
                  counted(result.same, "sample"), grouped(result.allowed), grouped(result.differing));
 }
 

@@ -1,12 +1,14 @@
 // One scene of the HTML report: verdict and picture in its head; pictures, numbers, places and commands inside.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "harness/report/base64.hpp"
 #include "harness/report/html.hpp"
 #include "harness/report/markup.hpp"
 #include "harness/report/numbers.hpp"
+#include "harness/report/rule_scenes.hpp"
 
 namespace rasterdiff::harness {
 namespace {
@@ -17,9 +19,13 @@ constexpr uint32_t kPixelsShowBelow = 300;  // smaller pictures are enlarged: th
 using Out = std::back_insert_iterator<std::string>;
 
 bool failed(const SceneEntry& entry) {
-  const Verdict verdict = entry.result.verdict;
-  return entry.error || !entry.validationMessages.empty() || verdict == Verdict::Differs ||
-         verdict == Verdict::Crashed || verdict == Verdict::TimedOut;
+  return entry.error || !entry.validationMessages.empty() || isUnexpected(entry.result);
+}
+
+std::string baselineChip(const SceneResult& result) {
+  if (result.baseline == BaselineStatus::None) return {};
+  return fmt::format(" <span class=\"chip Skipped\">{}</span>",
+                     result.baseline == BaselineStatus::ExpectedDiff ? "as the baseline expects" : "stale baseline entry");
 }
 
 std::string numbersOf(const SceneEntry& entry) {
@@ -40,8 +46,8 @@ void writeHead(Out out, const SceneEntry& entry) {
                      ? "<span class=\"thumb\"></span>"
                      : fmt::format("<img class=\"thumb{}\" alt=\"\" src=\"data:image/png;base64,{}\">",
                                    pictures.width < kPixelsShowBelow ? " pixels" : "", toBase64(pictures.thumbnail)));
-  fmt::format_to(out, "<span class=\"name\"><span class=\"chip {0}\">{0}</span> {1}<span class=\"what\">{2}</span></span>",
-                 verdictName(entry), escaped(result.id), escaped(entry.what));
+  fmt::format_to(out, "<span class=\"name\"><span class=\"chip {0}\">{0}</span>{3} {1}<span class=\"what\">{2}</span></span>",
+                 verdictName(entry), escaped(result.id), escaped(entry.what), baselineChip(result));
   fmt::format_to(out, "<span class=\"numbers\">{}</span></summary>\n", numbersOf(entry));
 }
 
@@ -62,7 +68,7 @@ void writePictures(Out out, const SceneEntry& entry) {
   figure(pictures.difference,
          "Difference<span class=\"key\" style=\"background:#e22030\"></span>differs"
          "<span class=\"key\" style=\"background:#f5c518\"></span>allowed"
-         "<span class=\"key\" style=\"background:#966c1c\"></span>value allowed"
+         "<span class=\"key\" style=\"background:#ba8014\"></span>value allowed"
          "<span class=\"key\" style=\"background:#80848c\"></span>same",
          "difference");
   fmt::format_to(out, "</div>\n");
@@ -83,13 +89,19 @@ void writeFacts(Out out, const SceneEntry& entry) {
   if (!result.freedoms.empty()) {
     fmt::format_to(out, "<p>Freedoms used:");
     for (const auto& [freedom, count] : result.freedoms) {
-      fmt::format_to(out, " <span class=\"chip Allowed\">{} {}</span>", escaped(freedom), grouped(count));
+      fmt::format_to(out, " <span class=\"chip Allowed\">{}", escaped(freedom));
+      if (count > 0) fmt::format_to(out, " {}", grouped(count));  // 0: only values made use of it
+      fmt::format_to(out, "</span>");
     }
     fmt::format_to(out, "</p>\n");
   }
   if (!result.ruleCoverage.empty()) {
-    fmt::format_to(out, "<p class=\"soft\">Rules that decided:");
-    for (const auto& [rule, count] : result.ruleCoverage) fmt::format_to(out, " {} {}·", escaped(rule), grouped(count));
+    std::vector<std::pair<std::string, uint64_t>> rules(result.ruleCoverage.begin(), result.ruleCoverage.end());
+    std::ranges::stable_sort(rules, {}, [](const auto& rule) { return ruleNumber(rule.first); });
+    fmt::format_to(out, "<p class=\"soft\">Rules that decided: ");
+    for (size_t i = 0; i < rules.size(); ++i) {
+      fmt::format_to(out, "{}{} {}", i > 0 ? " · " : "", escaped(rules[i].first), grouped(rules[i].second));
+    }
     fmt::format_to(out, "</p>\n");
   }
 }
@@ -101,7 +113,7 @@ void writeValues(Out out, const SceneResult& result) {
                       "<th>error / bound</th><th>worst at</th></tr></thead><tbody>\n");
   for (const ValueStats& value : result.values) {
     const std::string worst =
-        value.worst ? fmt::format("({}, {}) sample {}: {} for {}", value.worst->x, value.worst->y, value.worst->sample,
+        value.worst ? fmt::format("({}, {}) sample {}<br>{} for {}", value.worst->x, value.worst->y, value.worst->sample,
                                   floatText(value.worst->actual), floatText(value.worst->expected))
                     : "";
     fmt::format_to(out,
@@ -123,10 +135,10 @@ void writePlaces(Out out, const SceneResult& result) {
   for (size_t i = 0; i < std::min(kShownPlaces, result.differences.size()); ++i) {
     const SampleDifference& d = result.differences[i];
     fmt::format_to(out,
-                   "<tr><td>({}, {})</td><td>{}</td><td><span class=\"chip {}\">{}</span></td><td>primitive {}</td>"
-                   "<td>primitive {}</td><td>{} → {}</td><td class=\"text\">{} <code class=\"soft\">{}</code></td></tr>\n",
-                   d.x, d.y, d.sample, toString(d.verdict), toString(d.verdict), d.expectedPrimitive, d.actualPrimitive,
-                   d.expectedCount, d.actualCount, escaped(d.reason), escaped(d.anchor));
+                   "<tr><td>({}, {})</td><td>{}</td><td><span class=\"chip {}\">{}</span></td><td>{}</td>"
+                   "<td>{}</td><td>{} → {}</td><td class=\"text\">{} <code class=\"soft\">{}</code></td></tr>\n",
+                   d.x, d.y, d.sample, toString(d.verdict), toString(d.verdict), primitiveText(d.expectedPrimitive),
+                   primitiveText(d.actualPrimitive), d.expectedCount, d.actualCount, escaped(d.reason), escaped(d.anchor));
   }
   fmt::format_to(out, "</tbody></table></div>\n");
 }
@@ -150,6 +162,7 @@ std::string htmlScene(const Report& report, const SceneEntry& entry) {
                    escaped(entry.error->hint));
   } else if (!result.reason.empty()) {
     fmt::format_to(out, "<p><b>{}</b></p>\n", escaped(result.reason));
+    if (!result.baselineReason.empty()) fmt::format_to(out, "<p>Baseline: {}</p>\n", escaped(result.baselineReason));
   }
   if (const std::string command = explainCommand(report, entry); !command.empty()) {
     fmt::format_to(out, "<pre>{}</pre>\n", escaped(command));
@@ -161,7 +174,11 @@ std::string htmlScene(const Report& report, const SceneEntry& entry) {
   for (const std::string& message : entry.validationMessages) fmt::format_to(out, "<pre>{}</pre>\n", escaped(message));
   if (!entry.rules.empty()) {
     fmt::format_to(out, "<p class=\"soft\">Exercises {}.", escaped(fmt::format("{}", fmt::join(entry.rules, ", "))));
-    if (!entry.link.empty()) fmt::format_to(out, " Comes from {}.", escaped(entry.link));
+    if (entry.link.starts_with("https://")) {
+      fmt::format_to(out, " Comes from <a href=\"{0}\">{0}</a>.", escaped(entry.link));
+    } else if (!entry.link.empty()) {
+      fmt::format_to(out, " Comes from {}.", escaped(entry.link));
+    }
     fmt::format_to(out, "</p>\n");
   }
   fmt::format_to(out, "</div></details>\n");

@@ -100,6 +100,10 @@ Json jsonOf(const Limits& limits) {
 Json jsonOf(const SceneResult& result) {
   Json json{{"id", result.id}, {"verdict", toString(result.verdict)}};
   if (!result.reason.empty()) json["reason"] = result.reason;
+  if (result.baseline != BaselineStatus::None) {
+    json["baseline"] = toString(result.baseline);
+    json["baselineReason"] = result.baselineReason;
+  }
   json["samples"] = result.samples;
   json["same"] = result.same;
   json["allowed"] = result.allowed;

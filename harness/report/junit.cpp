@@ -19,7 +19,7 @@ void writeCase(Out out, const Report& report, const std::string& family, const S
                  escaped(result.id), secondsOf(result.seconds));
   const std::string command = escaped(explainCommand(report, entry));
   const std::string reason = escaped(result.reason);
-  const bool passed = !entry.error && entry.validationMessages.empty() &&
+  const bool passed = !entry.error && entry.validationMessages.empty() && !isUnexpected(result) &&
                       (result.verdict == Verdict::Same || result.verdict == Verdict::Allowed);
   if (passed) {
     fmt::format_to(out, "/>\n");
@@ -29,6 +29,11 @@ void writeCase(Out out, const Report& report, const std::string& family, const S
   if (entry.error) {
     fmt::format_to(out, "      <error type=\"Error\" message=\"{}: {}\">{}</error>\n", escaped(entry.error->where),
                    escaped(entry.error->what), escaped(entry.error->hint));
+  } else if (result.baseline == BaselineStatus::ExpectedDiff) {
+    fmt::format_to(out, "      <skipped message=\"known difference: {}\"/>\n", escaped(result.baselineReason));
+  } else if (result.baseline == BaselineStatus::Improved) {
+    fmt::format_to(out, "      <failure type=\"Improved\" message=\"stale baseline entry: {}\"/>\n",
+                   escaped(result.baselineReason));
   } else if (result.verdict == Verdict::Skipped) {
     fmt::format_to(out, "      <skipped message=\"{}\"/>\n", reason);
   } else if (result.verdict == Verdict::Differs) {
@@ -51,8 +56,9 @@ std::string junitReport(const Report& report) {
   for (const auto& [family, totals] : families) {
     fmt::format_to(out,
                    "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{:.6f}\">\n",
-                   escaped(family), totals.scenes + totals.errors, totals.scenesDiffer,
-                   totals.crashed + totals.timedOut + totals.errors, totals.skipped, secondsOf(totals.seconds));
+                   escaped(family), totals.scenes + totals.errors, totals.unexpected - totals.crashed - totals.timedOut,
+                   totals.crashed + totals.timedOut + totals.errors, totals.skipped + totals.expected,
+                   secondsOf(totals.seconds));
     fmt::format_to(out, "    <properties><property name=\"driver\" value=\"{}: {}\"/><property name=\"rules\" value=\"{}\"/>"
                         "</properties>\n",
                    escaped(report.subject.name), escaped(report.subject.info), escaped(report.subject.rules));

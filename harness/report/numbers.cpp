@@ -9,7 +9,7 @@ namespace rasterdiff::harness {
 
 std::string grouped(uint64_t number) {
   std::string text = std::to_string(number);
-  for (size_t at = text.size(); at > 3;) text.insert(at -= 3, ",");
+  for (size_t at = text.size(); at > 3;) text.insert(at -= 3, 1, ',');
   return text;
 }
 
@@ -25,10 +25,16 @@ std::string ulps(double ulp) {
 }
 
 std::string secondsText(double seconds) {
+  if (seconds < 0.001) return fmt::format("{:.0f} µs", seconds * 1e6);
+  if (seconds < 0.1) return fmt::format("{:.1f} ms", seconds * 1e3);
   if (seconds < 10) return fmt::format("{:.2f} s", seconds);
   if (seconds < 100) return fmt::format("{:.1f} s", seconds);
   const auto whole = static_cast<uint64_t>(std::llround(seconds));
   return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+}
+
+std::string primitiveText(uint32_t primitive) {
+  return primitive == 0 ? "none" : fmt::format("primitive {}", primitive);
 }
 
 std::string floatText(float value) { return fmt::format("{}", value); }

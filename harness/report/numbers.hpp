@@ -10,7 +10,8 @@ namespace rasterdiff::harness {
 [[nodiscard]] std::string grouped(uint64_t number);                          ///< 1,234,567
 [[nodiscard]] std::string counted(uint64_t number, std::string_view noun);   ///< "1 scene", "2,000 scenes"
 [[nodiscard]] std::string ulps(double ulp);                                  ///< "0", "12", "3.1e+06"; "∞" if not finite
-[[nodiscard]] std::string secondsText(double seconds);                       ///< "0.03 s", "12.4 s", "2 min 05 s"
+[[nodiscard]] std::string secondsText(double seconds);                       ///< "45 µs", "3.2 ms", "0.31 s", "12.4 s", "2 min 05 s"
+[[nodiscard]] std::string primitiveText(uint32_t primitive);  ///< "primitive 7", "none"
 [[nodiscard]] std::string floatText(float value);  ///< shortest text that reads back as the same float
 [[nodiscard]] std::string shellQuoted(std::string_view word);  ///< as it has to be typed in a shell
 [[nodiscard]] std::string oneLine(std::string_view text);      ///< control characters replaced by spaces

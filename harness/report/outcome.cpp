@@ -12,11 +12,13 @@ namespace {
 
 /// How much an entry wants attention.
 int urgency(const SceneEntry& entry) {
-  if (entry.error) return 4;
+  if (entry.error) return 5;
+  if (entry.result.baseline == BaselineStatus::Improved) return 3;
+  if (entry.result.baseline == BaselineStatus::ExpectedDiff) return 2;
   switch (entry.result.verdict) {
-    case Verdict::Crashed: return 6;
-    case Verdict::TimedOut: return 5;
-    case Verdict::Differs: return 3;
+    case Verdict::Crashed: return 7;
+    case Verdict::TimedOut: return 6;
+    case Verdict::Differs: return 4;
     case Verdict::Skipped: return 2;
     case Verdict::Allowed: return 1;
     case Verdict::Same: return 0;
@@ -30,8 +32,8 @@ int exitStatus(const Report& report) {
   const Totals totals = totalsOf(report.scenes);
   if (totals.crashed + totals.timedOut > 0 || report.notRun > 0) return 4;
   if (totals.errors > 0) return 2;
-  if (totals.scenesDiffer > 0 || totals.validationMessages > 0) return 1;
-  if (totals.scenesSame + totals.scenesAllowed == 0) return 3;
+  if (totals.unexpected > 0 || totals.validationMessages > 0) return 1;
+  if (totals.scenesSame + totals.scenesAllowed + totals.scenesDiffer == 0) return 3;
   return 0;
 }
 
@@ -46,6 +48,8 @@ std::string verdictLine(const Report& report) {
     line += fmt::format("; {} values: {} same, {} allowed, {} differ", grouped(totals.values),
                         grouped(totals.valuesSame), grouped(totals.valuesAllowed), grouped(totals.valuesDiffering));
   }
+  if (totals.expected > 0) line += fmt::format("; {} as the baseline expects", counted(totals.expected, "scene"));
+  if (totals.improved > 0) line += fmt::format("; {} better than the baseline", counted(totals.improved, "scene"));
   if (totals.skipped > 0) line += fmt::format("; {} skipped", counted(totals.skipped, "scene"));
   if (totals.crashed > 0) line += fmt::format("; {} crashed the driver", counted(totals.crashed, "scene"));
   if (totals.timedOut > 0) line += fmt::format("; {} hung", counted(totals.timedOut, "scene"));
@@ -98,7 +102,11 @@ std::string nextCommand(const Report& report) {
   for (const SceneEntry* entry : worstFirst(report)) {
     if (entry->error && entry->error->hint.starts_with("rasterdiff ")) return entry->error->hint;
     if (entry->error) return fmt::format("rasterdiff check {} --jobs 1", shellQuoted(entry->address));
-    if (entry->result.verdict == Verdict::Allowed || entry->result.verdict == Verdict::Same) break;
+    if (entry->result.baseline == BaselineStatus::Improved) {
+      return fmt::format("rasterdiff check {} --driver {} --baseline none", shellQuoted(entry->address),
+                         shellQuoted(report.subject.driver));
+    }
+    if (!isUnexpected(entry->result)) break;
     if (std::string command = explainCommand(report, *entry); !command.empty()) return command;
   }
   for (const SceneEntry& entry : report.scenes) {

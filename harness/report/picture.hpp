@@ -33,7 +33,8 @@ struct Image {
 /// The one picture that shows most at a glance: a normal or colour varying if there is one, else the primitives.
 [[nodiscard]] Image glanceImage(const Frame& frame);
 
-/// Same = dim, values within their bounds but not the same bits = dark amber, Allowed coverage = yellow, Differs = red.
+/// Same = dim, values inside their bounds but not the same bits = ochre, the stronger the nearer they are to a bound,
+/// Allowed coverage = yellow, Differs = red.
 /// Where a scene holds both Allowed and Differs, samples that `result` does not list are coloured by the reference's
 /// own knowledge (Either, bounds).
 [[nodiscard]] Image differenceImage(const Frame& reference, const Frame& actual, const SceneResult& result);

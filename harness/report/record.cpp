@@ -128,6 +128,7 @@ std::string recordOf(const RunSubject& subject) {
   return textOf({{"driver", subject.driver},
                  {"name", subject.name},
                  {"info", subject.info},
+                 {"line", subject.line},
                  {"details", subject.details},
                  {"limits", jsonOf(subject.limits)},
                  {"rules", subject.rules},
@@ -166,6 +167,7 @@ Result<RunSubject> readSubjectRecord(std::string_view text) {
     subject.driver = json.at("driver");
     subject.name = json.at("name");
     subject.info = json.at("info");
+    subject.line = json.at("line");
     json.at("details").get_to(subject.details);
     subject.limits = limitsIn(json.at("limits"));
     subject.rules = json.at("rules");

@@ -20,6 +20,7 @@ namespace rasterdiff::harness {
 struct RunSubject {
   std::string driver;  ///< as on the command line, to be typed again
   std::string name, info;
+  std::string line;          ///< both and the device, for people
   std::vector<std::pair<std::string, std::string>> details;  ///< device name, API version, manifest
   Limits limits;
   std::string rules;       ///< "specification" or the profile's name
@@ -61,6 +62,7 @@ struct Report {
 struct Totals {
   uint64_t scenes = 0, scenesSame = 0, scenesAllowed = 0, scenesDiffer = 0, skipped = 0, crashed = 0, timedOut = 0;
   uint64_t errors = 0, validationMessages = 0;
+  uint64_t unexpected = 0, expected = 0, improved = 0;  ///< scenes, against the baseline
   uint64_t primitives = 0;
   uint64_t samples = 0, same = 0, allowed = 0, differing = 0, coveredSamples = 0;
   uint64_t values = 0, valuesSame = 0, valuesAllowed = 0, valuesDiffering = 0;
@@ -83,7 +85,7 @@ struct Totals {
 /// that had any, of the worse verdict.
 void addBatch(SceneEntry& sum, SceneEntry batch);
 
-/// 0 = nothing unexpected, 1 = a difference or a validation message, 2 = a scene could not be made, 3 = nothing could
+/// 0 = nothing unexpected, 1 = a difference, a stale baseline entry or a validation message, 2 = a scene could not be made, 3 = nothing could
 /// be compared, 4 = the driver crashed or hung.
 [[nodiscard]] int exitStatus(const Report& report);
 
@@ -97,7 +99,8 @@ void addBatch(SceneEntry& sum, SceneEntry batch);
 /// What to type after a run that failed; empty after one that did not.
 [[nodiscard]] std::string nextCommand(const Report& report);
 
-/// Entries in the order in which they want to be read: crashes, hangs, errors, Differs, Skipped, Allowed, Same.
+/// Entries in the order in which they want to be read: crashes, hangs, errors, Differs, what the baseline
+/// expects to differ or does not, Skipped, Allowed, Same.
 [[nodiscard]] std::vector<const SceneEntry*> worstFirst(const Report& report);
 
 /// "Same", "Differs", …, or "Error" for an entry without a verdict.

@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <functional>
 #include <iterator>
 
 #include "harness/report/numbers.hpp"
+#include "harness/report/rule_scenes.hpp"
 #include "rasterizer/rule_counts.hpp"
 
 namespace rasterdiff::harness {
@@ -14,16 +15,13 @@ namespace {
 
 constexpr size_t kShownFailures = 10;
 constexpr size_t kShownSkips = 12;
+constexpr size_t kShownValues = 8;
 
 using Out = std::back_insert_iterator<std::string>;
 
 void writeHead(Out out, const Report& report) {
   const RunSubject& subject = report.subject;
-  fmt::format_to(out, "driver    {}: {}", subject.name, subject.info);
-  for (const auto& [name, value] : subject.details) {
-    if (name != "manifest") fmt::format_to(out, ", {}", name == "apiVersion" ? "Vulkan " + value : value);
-  }
-  fmt::format_to(out, "\nrules     {}, {} subpixel bits\n\n",
+  fmt::format_to(out, "driver    {}\nrules     {}, {} subpixel bits\n\n", subject.line,
                  subject.rulesOpen ? "the Vulkan specification, every choice open"
                                    : fmt::format("profile {}: coverage must agree exactly", subject.rules),
                  subject.limits.subPixelPrecisionBits);
@@ -55,8 +53,7 @@ std::string ruleName(const std::string& id) {
 void writeCounts(Out out, std::string_view label, const std::map<std::string, uint64_t>& counts, bool rules) {
   if (counts.empty()) return;
   std::vector<std::pair<std::string, uint64_t>> sorted(counts.begin(), counts.end());
-  const auto number = [](const std::string& id) { return id.size() > 1 ? std::atoi(id.c_str() + 1) : 0; };
-  if (rules) std::ranges::stable_sort(sorted, {}, [&](const auto& item) { return number(item.first); });
+  if (rules) std::ranges::stable_sort(sorted, {}, [](const auto& item) { return ruleNumber(item.first); });
   constexpr size_t kWidth = 110, kIndent = 10;
   fmt::format_to(out, "{:<10}", label);
   size_t column = kIndent;
@@ -73,28 +70,48 @@ void writeCounts(Out out, std::string_view label, const std::map<std::string, ui
   *out++ = '\n';
 }
 
-void writeValues(Out out, const Totals& totals) {
+/// Names that differ first, then by how much was compared.
+std::vector<const ValueStats*> valuesToShow(const Totals& totals) {
+  std::vector<const ValueStats*> values;
   for (const auto& [name, value] : totals.byValue) {
-    if (value.compared == 0) continue;
-    fmt::format_to(out, "value     {}: {} compared, {} same bits, {} allowed, {} differ; ULP max {}, mean {:.3g}; "
-                        "largest error {:.3g} of its bound",
-                   name, grouped(value.compared), grouped(value.same), grouped(value.allowed),
-                   grouped(value.differing), ulps(value.maxUlp), value.meanUlp, value.maxRatio);
-    const auto at = totals.worstAt.find(name);
-    if (value.worst && value.maxUlp > 0 && at != totals.worstAt.end()) {
-      fmt::format_to(out, "; worst in {} at ({}, {}) sample {}", at->second, value.worst->x, value.worst->y,
-                     value.worst->sample);
-    }
-    *out++ = '\n';
+    if (value.compared > 0) values.push_back(&value);
   }
+  std::ranges::stable_sort(values, std::greater{}, [](const ValueStats* value) {
+    return std::pair(value->differing, value->compared);
+  });
+  return values;
+}
+
+void writeValues(Out out, const Totals& totals) {
+  const std::vector<const ValueStats*> values = valuesToShow(totals);
+  if (values.empty()) return;
+  fmt::format_to(out, "\n{:<14} {:>13} {:>13} {:>13} {:>9} {:>10} {:>9} {:>11}  {}\n", "value", "compared", "same bits",
+                 "allowed", "differ", "max ULP", "mean ULP", "error/bound", "worst at");
+  for (size_t i = 0; i < values.size() && i < kShownValues; ++i) {
+    const ValueStats& value = *values[i];
+    std::string worst;
+    const auto at = totals.worstAt.find(value.name);
+    if (value.worst && value.maxUlp > 0 && at != totals.worstAt.end()) {
+      worst = fmt::format("{} {} {} --sample {}", shellQuoted(at->second), value.worst->x, value.worst->y,
+                          value.worst->sample);
+    }
+    fmt::format_to(out, "{:<14} {:>13} {:>13} {:>13} {:>9} {:>10} {:>9.3g} {:>11.3g}  {}\n", value.name,
+                   grouped(value.compared), grouped(value.same), grouped(value.allowed), grouped(value.differing),
+                   ulps(value.maxUlp), value.meanUlp, value.maxRatio, worst);
+  }
+  if (values.size() > kShownValues) {
+    fmt::format_to(out, "and {}, all in --json and --report\n", counted(values.size() - kShownValues, "more value"));
+  }
+  fmt::format_to(out, "\n");
 }
 
 std::string firstDifference(const SceneEntry& entry) {
   const SceneResult& result = entry.result;
   if (!result.differences.empty()) {
     const SampleDifference& d = result.differences.front();
-    return fmt::format("({}, {}) sample {}: expected primitive {} drawn {} times, got {} drawn {} times", d.x, d.y,
-                       d.sample, d.expectedPrimitive, d.expectedCount, d.actualPrimitive, d.actualCount);
+    return fmt::format("({}, {}) sample {}: expected {} (drawn {}), got {} (drawn {})", d.x, d.y, d.sample,
+                       primitiveText(d.expectedPrimitive), counted(d.expectedCount, "time"),
+                       primitiveText(d.actualPrimitive), counted(d.actualCount, "time"));
   }
   for (const ValueStats& value : result.values) {
     if (!value.firstDiffering) continue;
@@ -111,6 +128,11 @@ void writeFailure(Out out, const Report& report, const SceneEntry& entry) {
                    entry.error->hint);
     return;
   }
+  if (entry.result.baseline == BaselineStatus::Improved) {
+    fmt::format_to(out, "Improved  {}: the baseline expects a difference that is gone: {}\n", entry.address,
+                   entry.result.baselineReason);
+    return;
+  }
   fmt::format_to(out, "{:<9} {}{}{}\n", verdictName(entry), entry.address, entry.result.reason.empty() ? "" : ": ",
                  entry.result.reason);
   if (const std::string first = firstDifference(entry); !first.empty()) fmt::format_to(out, "          {}\n", first);
@@ -122,10 +144,7 @@ void writeFailure(Out out, const Report& report, const SceneEntry& entry) {
 void writeFailures(Out out, const Report& report) {
   size_t shown = 0, hidden = 0;
   for (const SceneEntry* entry : worstFirst(report)) {
-    const Verdict verdict = entry->result.verdict;
-    const bool failed = entry->error || verdict == Verdict::Differs || verdict == Verdict::Crashed ||
-                        verdict == Verdict::TimedOut;
-    if (!failed) continue;
+    if (!entry->error && !isUnexpected(entry->result)) continue;
     if (shown == kShownFailures) {
       ++hidden;
       continue;
@@ -148,6 +167,13 @@ void writeSkips(Out out, const Report& report) {
     fmt::format_to(out, "Skipped   {}: {}\n", entry.address, entry.result.reason);
   }
   if (hidden > 0) fmt::format_to(out, "          and {} skipped, all in --json and --report\n", counted(hidden, "more scene"));
+}
+
+void writeExpected(Out out, const Report& report) {
+  for (const SceneEntry& entry : report.scenes) {
+    if (entry.error || entry.result.baseline != BaselineStatus::ExpectedDiff) continue;
+    fmt::format_to(out, "Expected  {}: {} ({})\n", entry.address, entry.result.baselineReason, entry.result.reason);
+  }
 }
 
 void writeValidation(Out out, const Report& report) {
@@ -177,6 +203,7 @@ std::string summaryText(const Report& report) {
                  counted(report.workers, "worker"), counted(totals.primitives, "primitive"));
   text += '\n';
   writeSkips(out, report);
+  writeExpected(out, report);
   writeFailures(out, report);
   writeValidation(out, report);
   if (!report.stopped.empty()) {

@@ -51,6 +51,9 @@ void countScene(Totals& totals, const SceneEntry& entry) {
     return;
   }
   ++totals.scenes;
+  totals.unexpected += isUnexpected(entry.result) ? 1U : 0U;
+  totals.expected += entry.result.baseline == BaselineStatus::ExpectedDiff ? 1U : 0U;
+  totals.improved += entry.result.baseline == BaselineStatus::Improved ? 1U : 0U;
   switch (entry.result.verdict) {
     case Verdict::Same: ++totals.scenesSame; break;
     case Verdict::Allowed: ++totals.scenesAllowed; break;

@@ -10,9 +10,12 @@ namespace rasterdiff {
 namespace {
 
 Result<void> checkBox(const ViewBox& box) {
-  const std::array<std::pair<const char*, double>, 6> fields{{{"left", box.left}, {"right", box.right},
-                                                              {"bottom", box.bottom}, {"top", box.top},
-                                                              {"near", box.near}, {"far", box.far}}};
+  const std::array<std::pair<const char*, double>, 6> fields{{{"left", box.left},
+                                                              {"right", box.right},
+                                                              {"bottom", box.bottom},
+                                                              {"top", box.top},
+                                                              {"near", box.near},
+                                                              {"far", box.far}}};
   for (const auto& [name, value] : fields) {
     if (!std::isfinite(value)) return fail(ErrorCode::BadInput, name, std::string(name) + " is not finite");
   }

@@ -17,10 +17,11 @@ void Family::addFallible(const std::string& name, std::string what, std::vector<
   entries_.push_back({std::move(full), std::move(what), std::move(rules), std::move(link), std::move(named)});
 }
 
-void Family::add(const std::string& name, std::string what, std::vector<std::string> rules,
-                 std::function<Scene()> make, std::string link) {
-  addFallible(name, std::move(what), std::move(rules), [make = std::move(make)]() -> Result<Scene> { return make(); },
-              std::move(link));
+void Family::add(const std::string& name, std::string what, std::vector<std::string> rules, std::function<Scene()> make,
+                 std::string link) {
+  addFallible(
+      name, std::move(what), std::move(rules), [make = std::move(make)]() -> Result<Scene> { return make(); },
+      std::move(link));
 }
 
 Scene target(uint32_t width, uint32_t height, uint32_t samples) {

@@ -23,8 +23,8 @@ class Family {
   Family(Entries& entries, std::string prefix) : entries_(entries), prefix_(std::move(prefix)) {}
 
   /// `link` is the report the scene comes from, or empty.
-  void add(const std::string& name, std::string what, std::vector<std::string> rules,
-           std::function<Scene()> make, std::string link = {});
+  void add(const std::string& name, std::string what, std::vector<std::string> rules, std::function<Scene()> make,
+           std::string link = {});
   void addFallible(const std::string& name, std::string what, std::vector<std::string> rules,
                    std::function<Result<Scene>()> make, std::string link = {});
 

@@ -9,9 +9,10 @@ namespace {
 std::vector<CatalogueEntry> collect() {
   namespace f = families;
   f::Entries entries;
-  for (auto* add : {f::addFill, f::addSharedEdge, f::addStrip, f::addFan, f::addIndexed, f::addFacing, f::addClip,
-                    f::addNearPlane, f::addViewport, f::addScissor, f::addDepth, f::addVaryings, f::addSamples,
-                    f::addOverlap, f::addOrder, f::addSliver, f::addTiny, f::addFar, f::addRandom, f::addMesh}) {
+  for (auto* add :
+       {f::addFill,      f::addSharedEdge, f::addStrip,   f::addFan,   f::addIndexed,  f::addFacing,  f::addClip,
+        f::addNearPlane, f::addViewport,   f::addScissor, f::addDepth, f::addVaryings, f::addSamples, f::addOverlap,
+        f::addOrder,     f::addSliver,     f::addTiny,    f::addFar,   f::addRandom,   f::addMesh}) {
     add(entries);
   }
   return entries;

@@ -8,7 +8,7 @@ namespace {
 Scene layers(CompareOp op, bool write, float clear, uint32_t samples = 1) {
   Scene scene = square(32, samples);
   useDepth(scene, op, write, clear);
-  const std::vector<Px> slope{{2.5, 2.5, 0.125}, {30.5, 2.5, 0.875}, {30.5, 30.5, 0.875},
+  const std::vector<Px> slope{{2.5, 2.5, 0.125}, {30.5, 2.5, 0.875},  {30.5, 30.5, 0.875},
                               {2.5, 2.5, 0.125}, {30.5, 30.5, 0.875}, {2.5, 30.5, 0.125}};
   draw(scene, slope);
   draw(scene, rectangle(6, 6, 26, 26, 0.5));
@@ -43,7 +43,8 @@ void addDepth(Entries& entries) {
     family.add(o.name, std::string("three layers compared with ") + o.name, rules,
                [o] { return layers(o.op, true, o.clear); });
   }
-  family.add("less-4x", "each sample has its own depth", {"R17", "R22", "R38"}, [] { return layers(CompareOp::LESS, true, 1, 4); });
+  family.add("less-4x", "each sample has its own depth", {"R17", "R22", "R38"},
+             [] { return layers(CompareOp::LESS, true, 1, 4); });
   family.add("no-write", "a test without writing compares with the clear value", rules,
              [] { return layers(CompareOp::LESS, false, 0.5f); });
   family.add("write-without-test", "without the test depth is not written either", rules, [] {
@@ -52,17 +53,21 @@ void addDepth(Entries& entries) {
     return scene;
   });
   family.add("crossing-1x", "planes that go through one another", rules, [] { return crossing(1); });
-  family.add("crossing-4x", "planes that go through one another, at four samples", {"R17", "R22", "R38"}, [] { return crossing(4); });
-  family.add("same-twice", "the same geometry again with LESS_OR_EQUAL passes everywhere", {"R38", "R49"}, [] {
-    Scene scene = square(64);
-    useDepth(scene, CompareOp::LESS_OR_EQUAL);
-    const std::vector<Px> v{{3.3, 5.1, 0.21}, {60.7, 9.9, 0.83, 2}, {21.4, 58.2, 0.47, 0.5},
-                            {60.7, 9.9, 0.83, 2}, {55.5, 61.1, 0.66}, {21.4, 58.2, 0.47, 0.5}};
-    draw(scene, v);
-    draw(scene, v);
-    return scene;
-  }, "https://github.com/hrydgard/ppsspp/issues/18357");
-  family.add("equal-second-pass", "the same geometry again with EQUAL writes nothing new", {"R38", "R49"}, [] {
+  family.add("crossing-4x", "planes that go through one another, at four samples", {"R17", "R22", "R38"},
+             [] { return crossing(4); });
+  family.add(
+      "same-twice", "the same geometry again with LESS_OR_EQUAL passes everywhere", {"R38", "R49"},
+      [] {
+        Scene scene = square(64);
+        useDepth(scene, CompareOp::LESS_OR_EQUAL);
+        const std::vector<Px> v{{3.3, 5.1, 0.21},     {60.7, 9.9, 0.83, 2}, {21.4, 58.2, 0.47, 0.5},
+                                {60.7, 9.9, 0.83, 2}, {55.5, 61.1, 0.66},   {21.4, 58.2, 0.47, 0.5}};
+        draw(scene, v);
+        draw(scene, v);
+        return scene;
+      },
+      "https://github.com/hrydgard/ppsspp/issues/18357");
+  family.add("not-equal-second-pass", "the same geometry again with NOT_EQUAL passes nowhere", {"R38", "R49"}, [] {
     Scene scene = square(64, 4);
     useDepth(scene, CompareOp::NOT_EQUAL);
     const std::vector<Px> v{{3.3, 5.1, 0.21}, {60.7, 9.9, 0.83}, {21.4, 58.2, 0.47}};

@@ -7,8 +7,16 @@ namespace {
 Scene octagon(uint32_t samples = 1) {
   Scene scene = square(64, samples);
   scene.state.topology = PrimitiveTopology::TRIANGLE_FAN;
-  draw(scene, {{32.5, 32.5}, {60.5, 32.5}, {52.5, 52.5}, {32.5, 60.5}, {12.5, 52.5},
-               {4.5, 32.5}, {12.5, 12.5}, {32.5, 4.5}, {52.5, 12.5}, {60.5, 32.5}});
+  draw(scene, {{32.5, 32.5},
+               {60.5, 32.5},
+               {52.5, 52.5},
+               {32.5, 60.5},
+               {12.5, 52.5},
+               {4.5, 32.5},
+               {12.5, 12.5},
+               {32.5, 4.5},
+               {52.5, 12.5},
+               {60.5, 32.5}});
   return scene;
 }
 
@@ -16,7 +24,8 @@ Scene octagon(uint32_t samples = 1) {
 
 void addFan(Entries& entries) {
   Family family(entries, "fan");
-  family.add("octagon-1x", "a closed fan around a pixel centre leaves no seam", {"R11", "R14", "R15"}, [] { return octagon(); });
+  family.add("octagon-1x", "a closed fan around a pixel centre leaves no seam", {"R11", "R14", "R15"},
+             [] { return octagon(); });
   family.add("octagon-4x", "a closed fan at four samples", {"R11", "R14", "R15"}, [] { return octagon(4); });
   family.add("culled", "all triangles of a fan have its winding", {"R11", "R12", "R13"}, [] {
     Scene scene = octagon();

@@ -29,7 +29,7 @@ Scene edgesThroughCentres() {
 /// Sixteen thin-ended triangles around a centre: edges in 32 directions, all from one sample to another.
 Scene allEdgeDirections() {
   Scene scene = square(64);
-  constexpr int kRim[16][2] = {{24, 0},  {24, 8},   {24, 24},  {8, 24},  {0, 24},  {-8, 24}, {-24, 24}, {-24, 8},
+  constexpr int kRim[16][2] = {{24, 0},  {24, 8},   {24, 24},   {8, 24},   {0, 24},  {-8, 24}, {-24, 24}, {-24, 8},
                                {-24, 0}, {-24, -8}, {-24, -24}, {-8, -24}, {0, -24}, {8, -24}, {24, -24}, {24, -8}};
   for (int i = 0; i < 16; ++i) {
     const auto *a = kRim[i], *b = kRim[(i + 1) % 16];
@@ -73,17 +73,21 @@ void addFill(Entries& entries) {
   family.add("triangle-1x", "a plain triangle is filled at pixel centres", {"R14"}, [] { return triangle(1); });
   family.add("triangle-4x", "a plain triangle is filled at four samples a pixel", {"R14", "R17"},
              [] { return triangle(4); });
-  family.add("edges-through-centres", "horizontal, vertical and diagonal edges run through pixel centres in every orientation",
-             {"R14", "R15"}, edgesThroughCentres);
-  family.add("all-edge-directions", "edges in 16 directions, each of them a shared tie", {"R14", "R15"}, allEdgeDirections);
-  family.add("vertex-on-sample-1x", "a vertex lies on a pixel centre as top, right, bottom or left corner", {"R14", "R15"},
-             [] { return vertexOnSample(1); });
+  family.add("edges-through-centres",
+             "horizontal, vertical and diagonal edges run through pixel centres in every orientation", {"R14", "R15"},
+             edgesThroughCentres);
+  family.add("all-edge-directions", "edges in 16 directions, each of them a shared tie", {"R14", "R15"},
+             allEdgeDirections);
+  family.add("vertex-on-sample-1x", "a vertex lies on a pixel centre as top, right, bottom or left corner",
+             {"R14", "R15"}, [] { return vertexOnSample(1); });
   family.add("vertex-on-sample-4x", "a vertex lies on the first of four samples", {"R14", "R15", "R17"},
              [] { return vertexOnSample(4); });
-  family.add("sixteenth-steps", "positions move in steps of 1/16 pixel, which every device has to resolve", {"R14"},
-             [] { return steps(16, 1); }, "https://github.com/xemu-project/xemu/issues/2183");
-  family.add("256th-steps-1x", "positions move in steps of 1/256 pixel: a 4-bit grid shows", {"R14"},
-             [] { return steps(256, 1); }, "https://github.com/xemu-project/xemu/issues/2183");
+  family.add(
+      "sixteenth-steps", "positions move in steps of 1/16 pixel, which every device has to resolve", {"R14"},
+      [] { return steps(16, 1); }, "https://github.com/xemu-project/xemu/issues/2183");
+  family.add(
+      "256th-steps-1x", "positions move in steps of 1/256 pixel: a 4-bit grid shows", {"R14"},
+      [] { return steps(256, 1); }, "https://github.com/xemu-project/xemu/issues/2183");
   family.add("256th-steps-4x", "steps of 1/256 pixel at four samples", {"R14", "R17"}, [] { return steps(256, 4); });
   family.add("off-grid", "positions between grid points: the snap rounds", {"R14"}, [] { return steps(1000, 1); });
   family.add("whole-target", "one triangle covers every pixel of the target", {"R14"}, [] {
@@ -92,11 +96,12 @@ void addFill(Entries& entries) {
     draw(scene, {{0, 0}, {64, 0}, {0, 64}});
     return scene;
   });
-  family.add("square-on-centres", "a square from centre to centre covers its size once, not one more", {"R14", "R15"}, [] {
-    Scene scene = square(16);
-    draw(scene, rectangle(2.5, 3.5, 12.5, 13.5));
-    return scene;
-  });
+  family.add("square-on-centres", "a square from centre to centre covers its size once, not one more", {"R14", "R15"},
+             [] {
+               Scene scene = square(16);
+               draw(scene, rectangle(2.5, 3.5, 12.5, 13.5));
+               return scene;
+             });
   family.add("square-on-borders", "a square from pixel border to pixel border fills just these pixels", {"R14"}, [] {
     Scene scene = square(16, 4);
     draw(scene, rectangle(2, 3, 12, 13));
@@ -109,17 +114,37 @@ void addFill(Entries& entries) {
   });
   family.add("zero-area", "collinear and repeated vertices through samples cover nothing", {"R12", "R14"}, [] {
     Scene scene = square(32);
-    draw(scene, {{2.5, 2.5}, {10.5, 10.5}, {20.5, 20.5}, {3.5, 8.5}, {29.5, 8.5}, {12.5, 8.5}, {5.5, 5.5}, {5.5, 5.5},
-                 {25.5, 6.5}, {9.5, 9.5}, {9.5, 9.5}, {9.5, 9.5}, {16.5, 2.5}, {16.5, 30.5}, {16.5, 12.5}});
+    draw(scene, {{2.5, 2.5},
+                 {10.5, 10.5},
+                 {20.5, 20.5},
+                 {3.5, 8.5},
+                 {29.5, 8.5},
+                 {12.5, 8.5},
+                 {5.5, 5.5},
+                 {5.5, 5.5},
+                 {25.5, 6.5},
+                 {9.5, 9.5},
+                 {9.5, 9.5},
+                 {9.5, 9.5},
+                 {16.5, 2.5},
+                 {16.5, 30.5},
+                 {16.5, 12.5}});
     return scene;
   });
-  family.add("zero-area-after-snap", "triangles thinner than the grid collapse when they are snapped", {"R12", "R14"}, [] {
-    Scene scene = square(32);
-    draw(scene, {{2.5, 4.5 - 0x1p-12}, {29.5, 4.5 + 0x1p-12}, {12.5, 4.5 + 0x1p-12},
-                 {4.5 + 0x1p-11, 8.5}, {4.5 - 0x1p-11, 29.5}, {4.5, 16.5},
-                 {8.5, 8.5 + 0x1p-11}, {28.5, 28.5 - 0x1p-11}, {18.5, 18.5 + 0x1p-12}});
-    return scene;
-  });
+  family.add("zero-area-after-snap", "triangles thinner than the grid collapse when they are snapped", {"R12", "R14"},
+             [] {
+               Scene scene = square(32);
+               draw(scene, {{2.5, 4.5 - 0x1p-12},
+                            {29.5, 4.5 + 0x1p-12},
+                            {12.5, 4.5 + 0x1p-12},
+                            {4.5 + 0x1p-11, 8.5},
+                            {4.5 - 0x1p-11, 29.5},
+                            {4.5, 16.5},
+                            {8.5, 8.5 + 0x1p-11},
+                            {28.5, 28.5 - 0x1p-11},
+                            {18.5, 18.5 + 0x1p-12}});
+               return scene;
+             });
   family.add("one-sample", "a triangle around one pixel centre covers just that pixel", {"R14"}, [] {
     Scene scene = square(16);
     draw(scene, {{5.25, 5.25}, {5.875, 5.375}, {5.375, 5.875}});

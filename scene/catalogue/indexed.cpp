@@ -14,14 +14,19 @@ Scene corners(std::vector<uint32_t> indices) {
 
 void addIndexed(Entries& entries) {
   Family family(entries, "indexed");
-  family.add("reuse", "two triangles share two of four vertices", {"R14", "R15"}, [] { return corners({0, 1, 2, 0, 2, 3}); });
+  family.add("reuse", "two triangles share two of four vertices", {"R14", "R15"}, [] {
+    return corners({0, 1, 2, 0, 2, 3});
+  });
   family.add("reversed", "indices run backwards", {"R12", "R14"}, [] { return corners({4, 3, 2, 2, 1, 0}); });
-  family.add("repeated", "repeated indices make zero-area triangles between real ones", {"R12", "R14"},
-             [] { return corners({0, 1, 4, 1, 1, 2, 2, 3, 2, 3, 0, 4}); });
-  family.add("incomplete-tail", "two indices after the last whole triangle are ignored", {"R14"},
-             [] { return corners({0, 1, 2, 2, 3}); });
-  family.add("last-index", "the last triangle ends with an index that no other has", {"R14"},
-             [] { return corners({0, 1, 2, 0, 2, 3, 3, 0, 4}); });
+  family.add("repeated", "repeated indices make zero-area triangles between real ones", {"R12", "R14"}, [] {
+    return corners({0, 1, 4, 1, 1, 2, 2, 3, 2, 3, 0, 4});
+  });
+  family.add("incomplete-tail", "two indices after the last whole triangle are ignored", {"R14"}, [] {
+    return corners({0, 1, 2, 2, 3});
+  });
+  family.add("last-index", "the last triangle ends with an index that no other has", {"R14"}, [] {
+    return corners({0, 1, 2, 0, 2, 3, 3, 0, 4});
+  });
   family.add("empty", "an empty index list draws nothing", {"R14"}, [] { return corners({}); });
   family.add("two-draws", "each draw's indices count from its own first vertex", {"R14", "R50"}, [] {
     Scene scene = corners({0, 1, 2});

@@ -37,32 +37,43 @@ Scene ground(uint32_t samples, int cells) {
 void addNearPlane(Entries& entries) {
   Family family(entries, "nearplane");
   const std::vector<std::string> rules{"R1", "R3"};
-  family.add("one-behind", "one vertex behind the eye leaves two pieces", rules,
-             [] { return clipped({{-1, 0.5f, 0.5f, 2}, {1, 0.75f, 0.5f, 2}, {0.25f, -0.5f, -1, -1}}); });
-  family.add("two-behind", "two vertices behind the eye leave one piece", rules,
-             [] { return clipped({{-0.25f, -1, 0.5f, 2}, {1, 0.75f, -1, -1}, {-1, 0.5f, -0.5f, -0.5f}}); });
-  family.add("three-behind", "a triangle wholly behind the eye is not mirrored into the picture", rules,
-             [] { return clipped({{-0.5f, 0.5f, -0.5f, -1}, {0.5f, 0.5f, -0.5f, -1}, {0, -0.5f, -0.5f, -2}}); });
-  family.add("w-zero", "a vertex with w = 0 is a direction", rules,
-             [] { return clipped({{-0.5f, 0.5f, 0.5f, 1}, {0.5f, 0.5f, 0.5f, 1}, {0.125f, -1, 0, 0}}); });
-  family.add("w-zero-origin", "a vertex (0, 0, 0, 0) is nowhere; nothing breaks", rules,
-             [] { return clipped({{-0.5f, 0.5f, 0.5f, 1}, {0.5f, 0.5f, 0.5f, 1}, {0, 0, 0, 0}}); });
-  family.add("w-tiny", "w next to 0 with huge quotients", rules,
-             [] { return clipped({{-0.5f, 0.5f, 0.5f, 1}, {0.5f, 0.5f, 0.5f, 1}, {0.001f, -1, 0, 1e-6f}}); });
-  family.add("on-plane", "vertices exactly on z = 0 are inside", rules,
-             [] { return clipped({{-0.5f, 0.5f, 0, 1}, {0.5f, 0.5f, 0, 1}, {0, -0.5f, 0, 1}}); });
-  family.add("just-outside", "a depth one denormal below 0 is outside of the volume", rules,
-             [] { return clipped({{-0.5f, 0.5f, 0.5f, 1}, {0.5f, 0.5f, 0.5f, 1}, {0, -0.5f, -1e-40f, 1}}); });
-  family.add("ground-1x", "a ground plane runs under the eye and behind it", {"R1", "R3", "R15"}, [] { return ground(1, 1); });
-  family.add("ground-4x", "a ground plane at four samples", {"R1", "R3", "R15"}, [] { return ground(4, 1); });
-  family.add("ground-lattice", "a lattice crosses the near plane without seams", {"R1", "R3", "R15"}, [] { return ground(4, 8); });
-  family.add("ground-values", "values and depth on a ground plane that crosses the near plane", {"R3", "R9", "R21", "R22"}, [] {
-    Scene scene = ground(1, 2);
-    useDepth(scene);
-    addVarying(scene, "smooth", Interpolation::smooth, 3);
-    addVarying(scene, "screen", Interpolation::noperspective, 2);
-    return scene;
+  family.add("one-behind", "one vertex behind the eye leaves two pieces", rules, [] {
+    return clipped({{-1, 0.5f, 0.5f, 2}, {1, 0.75f, 0.5f, 2}, {0.25f, -0.5f, -1, -1}});
   });
+  family.add("two-behind", "two vertices behind the eye leave one piece", rules, [] {
+    return clipped({{-0.25f, -1, 0.5f, 2}, {1, 0.75f, -1, -1}, {-1, 0.5f, -0.5f, -0.5f}});
+  });
+  family.add("three-behind", "a triangle wholly behind the eye is not mirrored into the picture", rules, [] {
+    return clipped({{-0.5f, 0.5f, -0.5f, -1}, {0.5f, 0.5f, -0.5f, -1}, {0, -0.5f, -0.5f, -2}});
+  });
+  family.add("w-zero", "a vertex with w = 0 is a direction", rules, [] {
+    return clipped({{-0.5f, 0.5f, 0.5f, 1}, {0.5f, 0.5f, 0.5f, 1}, {0.125f, -1, 0, 0}});
+  });
+  family.add("w-zero-origin", "a vertex (0, 0, 0, 0) is nowhere; nothing breaks", rules, [] {
+    return clipped({{-0.5f, 0.5f, 0.5f, 1}, {0.5f, 0.5f, 0.5f, 1}, {0, 0, 0, 0}});
+  });
+  family.add("w-tiny", "w next to 0 with huge quotients", rules, [] {
+    return clipped({{-0.5f, 0.5f, 0.5f, 1}, {0.5f, 0.5f, 0.5f, 1}, {0.001f, -1, 0, 1e-6f}});
+  });
+  family.add("on-plane", "vertices exactly on z = 0 are inside", rules, [] {
+    return clipped({{-0.5f, 0.5f, 0, 1}, {0.5f, 0.5f, 0, 1}, {0, -0.5f, 0, 1}});
+  });
+  family.add("just-outside", "a depth one denormal below 0 is outside of the volume", rules, [] {
+    return clipped({{-0.5f, 0.5f, 0.5f, 1}, {0.5f, 0.5f, 0.5f, 1}, {0, -0.5f, -1e-40f, 1}});
+  });
+  family.add("ground-1x", "a ground plane runs under the eye and behind it", {"R1", "R3", "R15"},
+             [] { return ground(1, 1); });
+  family.add("ground-4x", "a ground plane at four samples", {"R1", "R3", "R15"}, [] { return ground(4, 1); });
+  family.add("ground-lattice", "a lattice crosses the near plane without seams", {"R1", "R3", "R15"},
+             [] { return ground(4, 8); });
+  family.add("ground-values", "values and depth on a ground plane that crosses the near plane",
+             {"R3", "R9", "R21", "R22"}, [] {
+               Scene scene = ground(1, 2);
+               useDepth(scene);
+               addVarying(scene, "smooth", Interpolation::smooth, 3);
+               addVarying(scene, "screen", Interpolation::noperspective, 2);
+               return scene;
+             });
 }
 
 }  // namespace rasterdiff::families

@@ -30,28 +30,51 @@ Scene mesh(SharedMesh kind, Grid grid, uint32_t samples, uint32_t pieces, uint64
 void addSharedEdge(Entries& entries) {
   Family family(entries, "shared-edge");
   const std::vector<std::string> rules{"R14", "R15"};
-  family.add("diagonal-1x", "the diagonal of a square runs through pixel centres", rules, [] { return diagonal(1); }, kSeams);
+  family.add(
+      "diagonal-1x", "the diagonal of a square runs through pixel centres", rules, [] { return diagonal(1); }, kSeams);
   family.add("diagonal-4x", "the diagonal of a square runs through samples", rules, [] { return diagonal(4); });
-  family.add("horizontal", "a shared horizontal edge lies on a row of centres", rules,
-             [] { return pair({{4.5, 16.5}, {28.5, 16.5}, {14.5, 4.5}}, {{4.5, 16.5}, {28.5, 16.5}, {20.5, 28.5}}); });
-  family.add("vertical", "a shared vertical edge lies on a column of centres", rules,
-             [] { return pair({{16.5, 4.5}, {16.5, 28.5}, {4.5, 12.5}}, {{16.5, 4.5}, {16.5, 28.5}, {28.5, 20.5}}); });
-  family.add("across-draws", "the neighbours come from different draws", rules,
-             [] { return pair({{4.5, 4.5}, {28.5, 28.5}, {4.5, 28.5}}, {{4.5, 4.5}, {28.5, 4.5}, {28.5, 28.5}}); });
+  family.add("horizontal", "a shared horizontal edge lies on a row of centres", rules, [] {
+    return pair({{4.5, 16.5}, {28.5, 16.5}, {14.5, 4.5}}, {{4.5, 16.5}, {28.5, 16.5}, {20.5, 28.5}});
+  });
+  family.add("vertical", "a shared vertical edge lies on a column of centres", rules, [] {
+    return pair({{16.5, 4.5}, {16.5, 28.5}, {4.5, 12.5}}, {{16.5, 4.5}, {16.5, 28.5}, {28.5, 20.5}});
+  });
+  family.add("across-draws", "the neighbours come from different draws", rules, [] {
+    return pair({{4.5, 4.5}, {28.5, 28.5}, {4.5, 28.5}}, {{4.5, 4.5}, {28.5, 4.5}, {28.5, 28.5}});
+  });
   family.add("steep-and-flat", "shared edges of slope 3 and 1/3 with a centre every third pixel", rules, [] {
     Scene scene = square(32);
-    draw(scene, {{3.5, 6.5}, {27.5, 14.5}, {10.5, 28.5}, {3.5, 6.5}, {27.5, 14.5}, {26.5, 2.5},
-                 {8.5, 28.5}, {16.5, 4.5}, {2.5, 12.5}, {8.5, 28.5}, {16.5, 4.5}, {24.5, 24.5}});
+    draw(scene, {{3.5, 6.5},
+                 {27.5, 14.5},
+                 {10.5, 28.5},
+                 {3.5, 6.5},
+                 {27.5, 14.5},
+                 {26.5, 2.5},
+                 {8.5, 28.5},
+                 {16.5, 4.5},
+                 {2.5, 12.5},
+                 {8.5, 28.5},
+                 {16.5, 4.5},
+                 {24.5, 24.5}});
     return scene;
   });
-  family.add("opposite-windings", "the neighbours are wound differently", rules,
-             [] { return pair({{4.5, 4.5}, {28.5, 28.5}, {4.5, 28.5}}, {{4.5, 4.5}, {28.5, 28.5}, {28.5, 4.5}}); });
-  family.add("same-side", "triangles on the same side of a common edge both cover it or neither does", rules,
-             [] { return pair({{4.5, 4.5}, {28.5, 28.5}, {4.5, 28.5}}, {{28.5, 28.5}, {4.5, 4.5}, {10.5, 26.5}}); });
+  family.add("opposite-windings", "the neighbours are wound differently", rules, [] {
+    return pair({{4.5, 4.5}, {28.5, 28.5}, {4.5, 28.5}}, {{4.5, 4.5}, {28.5, 28.5}, {28.5, 4.5}});
+  });
+  family.add("same-side", "triangles on the same side of a common edge both cover it or neither does", rules, [] {
+    return pair({{4.5, 4.5}, {28.5, 28.5}, {4.5, 28.5}}, {{28.5, 28.5}, {4.5, 4.5}, {10.5, 26.5}});
+  });
   family.add("t-junction", "a vertex lies on the middle of a neighbour's edge, on the grid", rules, [] {
     Scene scene = square(32);
-    draw(scene, {{4.5, 16.5}, {28.5, 16.5}, {16.5, 4.5}, {4.5, 16.5}, {16.5, 16.5}, {8.5, 28.5},
-                 {16.5, 16.5}, {28.5, 16.5}, {24.5, 28.5}});
+    draw(scene, {{4.5, 16.5},
+                 {28.5, 16.5},
+                 {16.5, 4.5},
+                 {4.5, 16.5},
+                 {16.5, 16.5},
+                 {8.5, 28.5},
+                 {16.5, 16.5},
+                 {28.5, 16.5},
+                 {24.5, 28.5}});
     return scene;
   });
   family.add("off-grid-edge", "the shared edge's ends are snapped, to the same place for both", rules, [] {
@@ -68,15 +91,17 @@ void addSharedEdge(Entries& entries) {
              [] { return mesh(SharedMesh::Strip, Grid::Half, 1, 30, 13); });
   family.add("strip-4x", "every edge of a strip is shared and ends on samples", rules,
              [] { return mesh(SharedMesh::Strip, Grid::Sixteenth, 4, 30, 14); });
-  family.add("grid-half-1x", "a lattice of triangles with vertices on the half-pixel grid", rules,
-             [] { return mesh(SharedMesh::Grid, Grid::Half, 1, 14, 15); }, kSeams);
+  family.add(
+      "grid-half-1x", "a lattice of triangles with vertices on the half-pixel grid", rules,
+      [] { return mesh(SharedMesh::Grid, Grid::Half, 1, 14, 15); }, kSeams);
   family.add("grid-sixteenth-4x", "a lattice of triangles with vertices on samples", rules,
              [] { return mesh(SharedMesh::Grid, Grid::Sixteenth, 4, 14, 16); });
   family.add("grid-256th-4x", "a lattice of triangles with some vertices between samples", rules,
              [] { return mesh(SharedMesh::Grid, Grid::TwoHundredFiftySixth, 4, 14, 17); });
-  family.add("grid-free-1x", "a lattice whose vertices have to be snapped", rules,
-             [] { return mesh(SharedMesh::Grid, Grid::Free, 1, 14, 18); },
-             "https://github.com/KhronosGroup/WebGL/issues/1797");
+  family.add(
+      "grid-free-1x", "a lattice whose vertices have to be snapped", rules,
+      [] { return mesh(SharedMesh::Grid, Grid::Free, 1, 14, 18); },
+      "https://github.com/KhronosGroup/WebGL/issues/1797");
 }
 
 }  // namespace rasterdiff::families

@@ -19,25 +19,28 @@ Scene zigzag(uint32_t vertices, uint32_t samples = 1) {
 
 void addStrip(Entries& entries) {
   Family family(entries, "strip");
-  family.add("zigzag-1x", "a strip of sixteen triangles, each next to the last", {"R11", "R14", "R15"}, [] { return zigzag(18); });
-  family.add("zigzag-4x", "a strip of sixteen triangles at four samples", {"R11", "R14", "R15"}, [] { return zigzag(18, 4); });
-  family.add("culled", "odd triangles swap two vertices: none of a strip in one plane is culled", {"R11", "R12", "R13"}, [] {
-    Scene scene = zigzag(18);
-    scene.state.cullMode = CullMode::BACK;
-    scene.state.frontFace = FrontFace::CLOCKWISE;
-    return scene;
-  });
+  family.add("zigzag-1x", "a strip of sixteen triangles, each next to the last", {"R11", "R14", "R15"},
+             [] { return zigzag(18); });
+  family.add("zigzag-4x", "a strip of sixteen triangles at four samples", {"R11", "R14", "R15"},
+             [] { return zigzag(18, 4); });
+  family.add("culled", "odd triangles swap two vertices: none of a strip in one plane is culled", {"R11", "R12", "R13"},
+             [] {
+               Scene scene = zigzag(18);
+               scene.state.cullMode = CullMode::BACK;
+               return scene;
+             });
   family.add("culled-away", "the same strip with the other front face is gone", {"R11", "R12", "R13"}, [] {
     Scene scene = zigzag(18);
     scene.state.cullMode = CullMode::BACK;
+    scene.state.frontFace = FrontFace::CLOCKWISE;
     return scene;
   });
   family.add("stitched", "repeated indices join two strips with zero-area triangles", {"R11", "R12", "R14"}, [] {
     Scene scene = square(64);
     scene.state.topology = PrimitiveTopology::TRIANGLE_STRIP;
     scene.state.cullMode = CullMode::BACK;
-    scene.state.frontFace = FrontFace::CLOCKWISE;
-    draw(scene, {{4.5, 4.5}, {4.5, 24.5}, {30.5, 4.5}, {30.5, 24.5}, {34.5, 34.5}, {34.5, 60.5}, {60.5, 34.5}, {60.5, 60.5}})
+    draw(scene,
+         {{4.5, 4.5}, {4.5, 24.5}, {30.5, 4.5}, {30.5, 24.5}, {34.5, 34.5}, {34.5, 60.5}, {60.5, 34.5}, {60.5, 60.5}})
         .indices = {0, 1, 2, 3, 3, 4, 4, 5, 6, 7};
     return scene;
   });

@@ -1,4 +1,6 @@
 // From normalized device coordinates to pixels: offsets, fractions, flips, depth ranges. [vk:vertexpostproc-viewport]
+#include <fmt/format.h>
+
 #include "scene/catalogue/build.hpp"
 
 namespace rasterdiff::families {
@@ -8,9 +10,15 @@ namespace {
 Scene under(const Viewport& viewport, uint32_t samples = 1, uint32_t extent = 64) {
   Scene scene = square(extent, samples);
   scene.viewport = viewport;
-  drawClip(scene, {{-0.875f, -0.75f, 0.25f, 1}, {0.75f, -0.5f, 0.5f, 1}, {-0.25f, 0.875f, 0.75f, 1},
-                   {0.25f, 0.25f, 0.5f, 1}, {0.875f, 0.25f, 0.5f, 1}, {0.875f, 0.875f, 0.5f, 1},
-                   {0.25f, 0.25f, 0.5f, 1}, {0.875f, 0.875f, 0.5f, 1}, {0.25f, 0.875f, 0.5f, 1}});
+  drawClip(scene, {{-0.875f, -0.75f, 0.25f, 1},
+                   {0.75f, -0.5f, 0.5f, 1},
+                   {-0.25f, 0.875f, 0.75f, 1},
+                   {0.25f, 0.25f, 0.5f, 1},
+                   {0.875f, 0.25f, 0.5f, 1},
+                   {0.875f, 0.875f, 0.5f, 1},
+                   {0.25f, 0.25f, 0.5f, 1},
+                   {0.875f, 0.875f, 0.5f, 1},
+                   {0.25f, 0.875f, 0.5f, 1}});
   return scene;
 }
 
@@ -29,28 +37,41 @@ void addViewport(Entries& entries) {
   Family family(entries, "viewport");
   const std::vector<std::string> rules{"R2"};
   family.add("offset", "the viewport starts inside the target", rules, [] { return under({13, 7, 32, 40, 0, 1}); });
-  family.add("half-pixel", "the origin is at half a pixel: squares move onto centres", {"R2", "R15"},
-             [] { return under({0.5f, 0.5f, 64, 64, 0, 1}); });
-  for (int k : {1, 3, 255, 511}) {
-    family.add("origin-" + std::to_string(k) + "-512ths", "the origin is off by steps of 1/512 pixel, half a grid step",
-               rules, [k] { return under({static_cast<float>(k) / 512, -static_cast<float>(k) / 512, 64, 64, 0, 1}, 4); }, kFractions);
-  }
-  family.add("fractional-size", "width and height are no whole pixels", rules, [] { return under({3.25f, 2.75f, 50.3f, 41.7f, 0, 1}); });
-  family.add("not-power-of-two", "a size that float32 divides inexactly", rules, [] { return under({0, 0, 49, 27, 0, 1}); });
-  family.add("negative-height", "y is flipped", rules, [] { return under({0, 64, 64, -64, 0, 1}, 4); });
-  family.add("negative-height-offset", "y is flipped about a fractional line", rules,
-             [] { return under({4, 59.5f, 48, -50, 0, 1}); });
-  family.add("larger-than-target", "what lies outside of the target is not drawn", rules,
-             [] { return under({-32, -32, 128, 128, 0, 1}); });
-  family.add("smaller-than-target", "nothing is drawn outside of the viewport: the volume ends there", {"R2", "R3"}, [] {
-    Scene scene = under({16, 16, 32, 32, 0, 1});
-    drawClip(scene, {{-3, -0.25f, 0.5f, 1}, {3, -0.25f, 0.5f, 1}, {0, 3, 0.5f, 1}});
-    return scene;
+  family.add("half-pixel", "the origin is at half a pixel: squares move onto centres", {"R2", "R15"}, [] {
+    return under({0.5f, 0.5f, 64, 64, 0, 1});
   });
+  for (int k : {1, 3, 255, 511}) {
+    family.add(
+        fmt::format("origin-{}-512ths", k), "the origin is off by steps of 1/512 pixel, half a grid step", rules,
+        [k] {
+          return under({static_cast<float>(k) / 512, -static_cast<float>(k) / 512, 64, 64, 0, 1}, 4);
+        },
+        kFractions);
+  }
+  family.add("fractional-size", "width and height are no whole pixels", rules, [] {
+    return under({3.25f, 2.75f, 50.3f, 41.7f, 0, 1});
+  });
+  family.add("not-power-of-two", "a size that float32 divides inexactly", rules, [] {
+    return under({0, 0, 49, 27, 0, 1});
+  });
+  family.add("negative-height", "y is flipped", rules, [] { return under({0, 64, 64, -64, 0, 1}, 4); });
+  family.add("negative-height-offset", "y is flipped about a fractional line", rules, [] {
+    return under({4, 59.5f, 48, -50, 0, 1});
+  });
+  family.add("larger-than-target", "what lies outside of the target is not drawn", rules, [] {
+    return under({-32, -32, 128, 128, 0, 1});
+  });
+  family.add("smaller-than-target", "nothing is drawn outside of the viewport: the volume ends there", {"R2", "R3"},
+             [] {
+               Scene scene = under({16, 16, 32, 32, 0, 1});
+               drawClip(scene, {{-3, -0.25f, 0.5f, 1}, {3, -0.25f, 0.5f, 1}, {0, 3, 0.5f, 1}});
+               return scene;
+             });
   family.add("thin", "a viewport below one pixel high", rules, [] { return under({0, 10.25f, 64, 0.5f, 0, 1}); });
   family.add("depth-half", "a depth range inside 0..1", {"R2", "R22"}, [] { return withDepthRange(0.25f, 0.5f); });
-  family.add("depth-reversed", "minDepth above maxDepth", {"R2", "R22", "R38"}, [] { return withDepthRange(1, 0); },
-             "https://github.com/dolphin-emu/dolphin/issues/8244");
+  family.add(
+      "depth-reversed", "minDepth above maxDepth", {"R2", "R22", "R38"}, [] { return withDepthRange(1, 0); },
+      "https://github.com/dolphin-emu/dolphin/issues/8244");
   family.add("depth-collapsed", "minDepth equals maxDepth: all depths are equal", {"R2", "R22", "R38"},
              [] { return withDepthRange(0.375f, 0.375f); });
 }

@@ -11,10 +11,14 @@ enum class Grid : uint8_t { Half, Sixteenth, TwoHundredFiftySixth, Free };
 /// Steps a pixel; 0 for Free.
 [[nodiscard]] constexpr double stepsPerPixel(Grid grid) {
   switch (grid) {
-    case Grid::Half: return 2;
-    case Grid::Sixteenth: return 16;
-    case Grid::TwoHundredFiftySixth: return 256;
-    case Grid::Free: break;
+    case Grid::Half:
+      return 2;
+    case Grid::Sixteenth:
+      return 16;
+    case Grid::TwoHundredFiftySixth:
+      return 256;
+    case Grid::Free:
+      break;
   }
   return 0;
 }

@@ -19,8 +19,7 @@ using Triangle = std::array<PixelPosition, 3>;
 
 class Source {
  public:
-  explicit Source(const RandomTriangles& options)
-      : options_(options), random_(options.seed), extent_(options.extent) {}
+  explicit Source(const RandomTriangles& options) : options_(options), random_(options.seed), extent_(options.extent) {}
 
   Triangle next() {
     Triangle triangle = shape();

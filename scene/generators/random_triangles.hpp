@@ -20,8 +20,8 @@ struct RandomTriangles {
 
 /// Half the triangles are small (2..12 pixels), the others medium (12..40), slivers, below a pixel, as large as the
 /// target, or rich in ties: vertices on samples, edges horizontal, vertical and diagonal. With `perspective` or `Free`
-/// one triangle in twenty crosses a side of the view volume, with both one in a hundred crosses the near plane or w = 0.
-/// All others lie inside. Depth is between 0 and w. `extent` is rounded down to a power of two in 16..16384.
+/// one triangle in twenty crosses a side of the view volume, with both one in a hundred crosses the near plane or w =
+/// 0. All others lie inside. Depth is between 0 and w. `extent` is rounded down to a power of two in 16..16384.
 [[nodiscard]] Scene randomTriangles(const RandomTriangles& options);
 
 }  // namespace rasterdiff

@@ -24,8 +24,8 @@ class Source {
       return {snapToGrid(x + jx, options_.grid), snapToGrid(y + jy, options_.grid), 0, 1};
     }
     const SampleLocation s = samples[random_.below(samples.size())];
-    return {snapToGrid(std::floor(x) + s.x / 16.0, options_.grid), snapToGrid(std::floor(y) + s.y / 16.0, options_.grid),
-            0, 1};
+    return {snapToGrid(std::floor(x) + s.x / 16.0, options_.grid),
+            snapToGrid(std::floor(y) + s.y / 16.0, options_.grid), 0, 1};
   }
 
   Prng& random() { return random_; }
@@ -55,7 +55,8 @@ void fan(Mesh& mesh, Source& source, double extent, uint32_t rim) {
       break;
     }
     const double t = 4.0 * i / rim, side = t - std::floor(t);  // 0..4 once around
-    constexpr std::array<std::array<double, 4>, 4> kSides{{{-1, -1, 1, 0}, {1, -1, 0, 1}, {1, 1, -1, 0}, {-1, 1, 0, -1}}};
+    constexpr std::array<std::array<double, 4>, 4> kSides{
+        {{-1, -1, 1, 0}, {1, -1, 0, 1}, {1, 1, -1, 0}, {-1, 1, 0, -1}}};
     const std::array<double, 4>& s = kSides[std::min(static_cast<size_t>(t), size_t{3})];
     mesh.add(source.near(half + radius * (s[0] + 2 * side * s[2]), half + radius * (s[1] + 2 * side * s[3])));
   }

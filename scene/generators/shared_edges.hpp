@@ -20,8 +20,8 @@ struct SharedEdges {
   SharedMesh mesh = SharedMesh::Fan;
   Grid grid = Grid::Sixteenth;
   uint32_t samples = 1;
-  uint32_t extent = 64;   ///< square target, pixels; rounded down to a power of two in 16..16384
-  uint32_t pieces = 12;   ///< fan: rim vertices; strip: triangles; grid: cells a side (3..256)
+  uint32_t extent = 64;  ///< square target, pixels; rounded down to a power of two in 16..16384
+  uint32_t pieces = 12;  ///< fan: rim vertices; strip: triangles; grid: cells a side (3..256)
 };
 
 /// Most vertices lie on samples (as far as the grid has them), all w are 1.

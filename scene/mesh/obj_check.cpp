@@ -32,10 +32,10 @@ std::vector<Token> split(std::string_view line) {
 /// Statements of the format (Wavefront's Advanced Visualizer manual, appendix B1, and two common extensions).
 bool isStatement(std::string_view word) {
   constexpr std::array<std::string_view, 44> kWords{
-      "v",      "vt",       "vn",       "vp",     "vw",         "f",         "l",     "p",    "o",    "g",   "s",
-      "mg",     "usemtl",   "mtllib",   "usemap", "maplib",     "bevel",     "lod",   "t",    "deg",  "bmat", "step",
-      "cstype", "c_interp", "d_interp", "trim",   "shadow_obj", "trace_obj", "curv",  "surf", "parm", "hole", "scrv",
-      "curv2",  "sp",       "end",      "con",    "call",       "csh",       "ctech", "stech", "res", "bzp", "bsp"};
+      "v",      "vt",       "vn",       "vp",     "vw",         "f",         "l",     "p",     "o",    "g",    "s",
+      "mg",     "usemtl",   "mtllib",   "usemap", "maplib",     "bevel",     "lod",   "t",     "deg",  "bmat", "step",
+      "cstype", "c_interp", "d_interp", "trim",   "shadow_obj", "trace_obj", "curv",  "surf",  "parm", "hole", "scrv",
+      "curv2",  "sp",       "end",      "con",    "call",       "csh",       "ctech", "stech", "res",  "bzp",  "bsp"};
   return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }
 
@@ -76,7 +76,8 @@ class Checker {
  private:
   static std::string printable(std::string_view word) {
     std::string out(word.substr(0, 40));
-    std::replace_if(out.begin(), out.end(), [](char c) { return c < 0x20 || c > 0x7e; }, '?');
+    std::replace_if(
+        out.begin(), out.end(), [](char c) { return c < 0x20 || c > 0x7e; }, '?');
     return out;
   }
 

@@ -1,0 +1,38 @@
+// The built-in workloads of the speed measurements: fixed seed, vertices on the 1/256 grid, fully on screen.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "rasterizer/kernels/snapped_triangle.hpp"
+#include "scene/result.hpp"
+
+namespace rasterdiff::bench {
+
+struct Workload {
+  std::string name;     ///< "W1" … "W5", "W4-30px" for the mesh at the larger size
+  std::string what;     ///< one line for people
+  uint32_t width = 1920, height = 1080;
+  std::vector<rasterizer::SnappedTriangle> triangles;  ///< clockwise on a y-down screen
+};
+
+/// `count` triangles of `area` pixels each, no more than 8 times as long as high, in a width × height target.
+/// Where such a triangle does not fit, it is one with its vertices anywhere in the target, shrunk to `area`.
+[[nodiscard]] Workload randomTriangles(std::string name, size_t count, double area, uint32_t width = 1920,
+                                       uint32_t height = 1080);
+
+/// `count` triangles of `length` × `thickness` pixels (base × height), in any direction.
+[[nodiscard]] Workload slivers(std::string name, size_t count, double length, double thickness, uint32_t width = 1920,
+                               uint32_t height = 1080);
+
+/// The front faces of an OBJ mesh seen from the front, orthographic, scaled until a triangle covers `area` pixels on
+/// average or the mesh fills the target; what is off the target then is left out. Error: those of loading a mesh.
+[[nodiscard]] Result<Workload> meshTriangles(std::string name, const std::string& objFile, double area,
+                                             uint32_t width = 1920, uint32_t height = 1080);
+
+/// W1 … W5 in order; W4 twice (about 1.6 and 30 pixels a triangle), from `objFile`. `scale` multiplies the counts.
+[[nodiscard]] Result<std::vector<Workload>> builtInWorkloads(const std::string& objFile, double scale = 1,
+                                                             uint32_t width = 1920, uint32_t height = 1080);
+
+}  // namespace rasterdiff::bench

@@ -1,0 +1,122 @@
+#include "harness/compare/baseline.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fnmatch.h>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "known_differences_json.hpp"
+
+namespace rasterdiff::harness {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// nlohmann reports a byte offset; people want line and column.
+std::string placeOf(std::string_view text, const std::string& fileName, size_t byte) {
+  const std::string_view before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
+  const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+  const size_t start = before.rfind('\n');
+  const size_t column = start == std::string_view::npos ? before.size() + 1 : before.size() - start;
+  return fmt::format("{}:{}:{}", fileName, line, column);
+}
+
+Result<BaselineEntry> parseEntry(const Json& json, const std::string& where) {
+  if (!json.is_object()) return fail(ErrorCode::BadInput, where, "an entry has to be an object");
+  BaselineEntry entry;
+  const std::vector<std::pair<const char*, std::string*>> texts{
+      {"driver", &entry.driver}, {"version", &entry.version}, {"scene", &entry.scene},
+      {"rule", &entry.rule},     {"anchor", &entry.anchor},   {"reason", &entry.reason}};
+  for (const auto& [key, value] : json.items()) {
+    const auto text = std::find_if(texts.begin(), texts.end(), [&](const auto& t) { return key == t.first; });
+    if (text != texts.end()) {
+      if (!value.is_string()) return fail(ErrorCode::BadInput, where, fmt::format("\"{}\" has to be a string", key));
+      *text->second = value.get<std::string>();
+    } else if (key == "planes") {
+      if (!value.is_array()) return fail(ErrorCode::BadInput, where, "\"planes\" has to be a list of names");
+      for (const Json& plane : value) {
+        if (!plane.is_string()) return fail(ErrorCode::BadInput, where, "\"planes\" has to be a list of names");
+        entry.planes.push_back(plane.get<std::string>());
+      }
+    } else {
+      return fail(ErrorCode::BadInput, where, fmt::format("unknown field \"{}\"", key),
+                  "fields: driver, version, scene, planes, rule, anchor, reason");
+    }
+  }
+  if (entry.driver.empty() || entry.scene.empty() || entry.planes.empty() || entry.reason.empty()) {
+    return fail(ErrorCode::BadInput, where, "an entry needs driver, scene, planes and reason",
+                "a difference without a reason is not known, only old");
+  }
+  return entry;
+}
+
+bool matches(const BaselineEntry& entry, std::string_view driverName, std::string_view driverInfo, const std::string& scene) {
+  return entry.driver == driverName && driverInfo.starts_with(entry.version) &&
+         fnmatch(entry.scene.c_str(), scene.c_str(), 0) == 0;
+}
+
+}  // namespace
+
+const Baseline& builtInBaseline() {
+  static const Baseline baseline = parseBaseline(kKnownDifferencesJson, "known_differences.json").value();
+  return baseline;
+}
+
+Result<Baseline> loadBaseline(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return fail(ErrorCode::Io, path, "the baseline cannot be read", "write one with: rasterdiff bless FILE");
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  return parseBaseline(text, path);
+}
+
+Result<Baseline> parseBaseline(std::string_view text, const std::string& fileName) {
+  Json json;
+  try {
+    json = Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    return fail(ErrorCode::BadInput, placeOf(text, fileName, error.byte), "not JSON", "an object with a list \"entries\"");
+  }
+  if (!json.is_object() || !json.contains("entries") || !json["entries"].is_array()) {
+    return fail(ErrorCode::BadInput, fileName, "a baseline is an object with a list \"entries\"");
+  }
+  Baseline baseline;
+  for (size_t i = 0; i < json["entries"].size(); ++i) {
+    Result<BaselineEntry> entry = parseEntry(json["entries"][i], fmt::format("{}: entries[{}]", fileName, i));
+    if (!entry) return tl::unexpected<Error>(entry.error());
+    baseline.entries.push_back(std::move(*entry));
+  }
+  return baseline;
+}
+
+std::string writeBaseline(const Baseline& baseline) {
+  Json entries = Json::array();
+  for (const BaselineEntry& entry : baseline.entries) {
+    entries.push_back({{"driver", entry.driver}, {"version", entry.version}, {"scene", entry.scene}, {"planes", entry.planes},
+                       {"rule", entry.rule}, {"anchor", entry.anchor}, {"reason", entry.reason}});
+  }
+  return Json{{"entries", entries}}.dump(2) + "\n";
+}
+
+void applyBaseline(const Baseline& baseline, std::string_view driverName, std::string_view driverInfo, SceneResult& result) {
+  result.baseline = BaselineStatus::None;
+  result.baselineReason.clear();
+  for (const BaselineEntry& entry : baseline.entries) {
+    if (!matches(entry, driverName, driverInfo, result.id)) continue;
+    if (result.verdict == Verdict::Same || result.verdict == Verdict::Allowed) {
+      result.baseline = BaselineStatus::Improved;
+      result.baselineReason = entry.reason;
+      return;
+    }
+    std::vector<std::string> expected = entry.planes, actual = differingPlanes(result);
+    std::sort(expected.begin(), expected.end());
+    std::sort(actual.begin(), actual.end());
+    if (result.verdict != Verdict::Differs || expected != actual) continue;
+    result.baseline = BaselineStatus::ExpectedDiff;
+    result.baselineReason = entry.reason;
+    return;
+  }
+}
+
+}  // namespace rasterdiff::harness

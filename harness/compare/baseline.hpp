@@ -1,0 +1,41 @@
+// Known differences of a driver: each names its scene, the planes that differ, the broken rule and the reason, so that
+// an old bug is not an alarm, and a new one, or a mended one, is.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/compare/verdict.hpp"
+#include "scene/result.hpp"
+
+namespace rasterdiff::harness {
+
+struct BaselineEntry {
+  std::string driver;               ///< driverName: "llvmpipe"
+  std::string version;              ///< the start of driverInfo: "Mesa 22.3"; empty for every version
+  std::string scene;                ///< name, or a glob
+  std::vector<std::string> planes;  ///< "coverage", "depth", names of varyings: these differ, and no others
+  std::string rule;                 ///< "R39"
+  std::string anchor;               ///< "vk:fragops-scissor"
+  std::string reason;               ///< one sentence
+};
+
+struct Baseline {
+  std::vector<BaselineEntry> entries;
+};
+
+/// The differences known to this project (harness/compare/known_differences.json).
+[[nodiscard]] const Baseline& builtInBaseline();
+
+/// Reads a baseline file. Error: Io or BadInput with `file:line:col` for syntax, the entry's number for content.
+[[nodiscard]] Result<Baseline> loadBaseline(const std::string& path);
+[[nodiscard]] Result<Baseline> parseBaseline(std::string_view text, const std::string& fileName);
+
+/// The text of a baseline file; parseBaseline reads it back.
+[[nodiscard]] std::string writeBaseline(const Baseline& baseline);
+
+/// Sets `baseline` and `baselineReason` of a result that `driver` (name and info) gave.
+void applyBaseline(const Baseline& baseline, std::string_view driverName, std::string_view driverInfo, SceneResult& result);
+
+}  // namespace rasterdiff::harness

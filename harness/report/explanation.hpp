@@ -1,0 +1,30 @@
+// `explain` as text: the exact numbers behind one sample, the driver's answer and the verdict.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "harness/compare/verdict.hpp"
+#include "rasterizer/explain.hpp"
+#include "scene/scene.hpp"
+
+namespace rasterdiff::harness {
+
+struct DriverAnswer {
+  std::string subject;  ///< subjectLine
+  Frame frame;
+  SceneResult verdict;  ///< about the asked sample alone
+};
+
+struct Explanation {
+  const Scene& scene;
+  const rasterizer::Rules& rules;
+  rasterizer::SampleQuery query;
+  rasterizer::SampleExplanation sample;
+  Frame reference;
+  std::optional<DriverAnswer> driver;
+};
+
+[[nodiscard]] std::string explanationText(const Explanation& explanation);
+
+}  // namespace rasterdiff::harness

@@ -1,0 +1,122 @@
+// The exact coverage kernel: batches of triangles through set-up and blocks, once for each instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "rasterizer/kernels/span_kernel.cpp"
+#define HWY_DISABLED_TARGETS HWY_SSSE3
+#include "hwy/foreach_target.h"
+// After foreach_target.h:
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "hwy/highway.h"
+#include "rasterizer/kernels/integer_spans.hpp"
+#include "rasterizer/kernels/span_large-inl.h"
+#include "rasterizer/kernels/span_medium-inl.h"
+#include "rasterizer/kernels/span_setup-inl.h"
+#include "rasterizer/kernels/span_target.hpp"
+#include "rasterizer/kernels/span_thin-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rasterdiff::rasterizer {
+namespace HWY_NAMESPACE {
+
+/// Draws the classes that SetUp sorted a batch into, in any order: OR does not mind.
+template <size_t kSide, size_t kSamples>
+HWY_INLINE void DrawSide(const Batch<kSamples>& b, const SnappedTriangle* HWY_RESTRICT t, const SpanTarget& target,
+                         uint32_t* HWY_RESTRICT rows, Pixels& pixels) {
+  DrawSmall<kSide, 0, kSamples>(b, b.one[kSide], target);
+  DrawSmall<kSide, 8, kSamples>(b, b.two[kSide], target);
+  if (b.medium[kSide].size > 0) DrawMedium<kSide, kSamples>(b, b.medium[kSide], target);
+  for (size_t k = 0; k < b.large[kSide].size; ++k) DrawLarge<kSide, kSamples>(b, b.large[kSide].places[k], target);
+  for (size_t k = 0; k < b.thin[kSide].size; ++k) {
+    const size_t i = b.thin[kSide].places[k];
+    DrawThin<kSide, kSamples>(b, i, t[i], target, rows, pixels);
+  }
+}
+
+template <size_t kSamples>
+void DrawBatches(std::span<const SnappedTriangle> triangles, const SpanTarget& target, CoverageMask& mask) {
+  using B = Batch<kSamples>;
+  B b;
+  Pixels pixels;
+  std::vector<uint32_t> rows(static_cast<size_t>(target.height) + 64);
+  for (size_t first = 0; first < triangles.size(); first += B::kSize) {
+    const size_t size = std::min(B::kSize, triangles.size() - first);
+    const SnappedTriangle* HWY_RESTRICT t = triangles.data() + first;
+    b.Clear();
+    size_t i = 0;
+    for (; i + kLanes <= size; i += kLanes) SetUp<kSamples>(t + i, i, target, b);
+    if (i < size) {
+      SnappedTriangle rest[kLanes] = {};  // the others have no area
+      std::copy(t + i, t + size, rest);
+      SetUp<kSamples>(rest, i, target, b);
+    }
+    DrawSide<0, kSamples>(b, t, target, rows.data(), pixels);
+    DrawSide<1, kSamples>(b, t, target, rows.data(), pixels);
+    for (size_t k = 0; k < b.far.size; ++k) drawIntegerSpans(t[b.far.places[k]], mask);
+  }
+  pixels.Flush(target.words);
+}
+
+void DrawSpans(std::span<const SnappedTriangle> triangles, CoverageMask& mask) {
+  const SpanTarget target = spanTarget(mask);
+  if (target.samples == 1) return DrawBatches<1>(triangles, target, mask);
+  if (target.samples == 4) return DrawBatches<4>(triangles, target, mask);
+  DrawBatches<0>(triangles, target, mask);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace rasterdiff::rasterizer
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include <thread>
+
+namespace rasterdiff::rasterizer {
+
+HWY_EXPORT(DrawSpans);
+
+SpanTarget spanTarget(CoverageMask& mask) {
+  SpanTarget t;
+  t.words = mask.words();
+  t.width = mask.width(), t.height = mask.height();
+  t.samples = mask.samples();
+  t.blockWords = static_cast<double>(mask.blockOffset(0, 1, 0));
+  t.rowWords = static_cast<double>(mask.blockOffset(1, 0, 0));
+  t.minX = t.minY = kSubpixelOne;
+  for (size_t s = 0; s < t.samples; ++s) {
+    t.x[s] = mask.locations()[s].x * kSampleUnit, t.y[s] = mask.locations()[s].y * kSampleUnit;
+    t.minX = std::min(t.minX, t.x[s]), t.maxX = std::max(t.maxX, t.x[s]);
+    t.minY = std::min(t.minY, t.y[s]), t.maxY = std::max(t.maxY, t.y[s]);
+  }
+  return t;
+}
+
+void drawCoverage(std::span<const SnappedTriangle> triangles, CoverageMask& mask, unsigned threads) {
+  constexpr size_t kWorthAThread = 4096;  // triangles
+  if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
+  threads = static_cast<unsigned>(std::min<size_t>(threads, triangles.size() / kWorthAThread + 1));
+  if (threads > 1) {
+    // OR does not mind the order: each thread draws its share into a mask of its own.
+    std::vector<CoverageMask> parts(threads - 1, mask);
+    std::vector<std::thread> workers;
+    const size_t share = triangles.size() / threads;
+    for (unsigned k = 0; k + 1 < threads; ++k)
+      workers.emplace_back([&, k] { HWY_DYNAMIC_DISPATCH(DrawSpans)(triangles.subspan(k * share, share), parts[k]); });
+    HWY_DYNAMIC_DISPATCH(DrawSpans)(triangles.subspan((threads - 1) * share), mask);
+    for (std::thread& worker : workers) worker.join();
+    for (const CoverageMask& part : parts) mask.merge(part);
+  } else {
+    HWY_DYNAMIC_DISPATCH(DrawSpans)(triangles, mask);
+  }
+  mask.settle(0, mask.blockRows());
+}
+
+std::vector<std::string> coverageTargets() {
+  std::vector<std::string> names;
+  for (const int64_t target : hwy::SupportedAndGeneratedTargets()) names.emplace_back(hwy::TargetName(target));
+  return names;
+}
+
+}  // namespace rasterdiff::rasterizer
+#endif

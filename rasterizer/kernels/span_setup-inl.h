@@ -1,0 +1,240 @@
+// From triangles to lines: a vector of triangles at a time, for the instruction set being compiled. Decides also which
+// loop of span_blocks-inl.h draws a triangle; draws nothing itself.
+//
+// The lines. Sort the vertices by y. The long edge A (top to bottom vertex) bounds a triangle on one side, the edges B
+// (top to middle) and C (middle to bottom) on the other. In row r (sample at y = 256 r + sy) the first pixel whose sample
+// (x = 256 c + sx) is not left of a line through (xa, ya) with direction (dx, dy), dy > 0, is ceil(N / D) with integers
+//   N = (xa - sx) dy + (256 r + sy - ya) dx,  D = 256 dy.
+// As a left bound the line owns its ties, as a right bound it does not: [ceil(N/D), ceil(N'/D')) is the same ceiling on
+// both sides, and the top-left rule has vanished. As N is an integer, ceil(N/D) = ceil((N - 1/2)/D), and (N - 1/2)/D is
+// at least 1/(2D) away from every integer. [choice:tie-owner]
+// The kernel evaluates t = slope·r + offset in doubles, slope = dx/dy, offset = (N(0) - 1/2)/D + 1/2; then ceil(N/D) is t
+// rounded to nearest, and t is at least g = 1/(2D) = 2^-9/dy away from a tie of that rounding.
+//
+// The proof. Let all |coordinates| <= R = 2^22 (kFastRange; 16,384 px), u = 2^-53, and r, x count from the first block that
+// the triangle touches inside the target, so |r| <= 2^15, |window x| <= 2^15.
+//   Exact: differences (<= 2^23 + 2^12), products (< 2^47), N(0) (< 2^48), N(0) - 1/2, 1/256 (power of two).
+//   q = fl(1/dy): one rounding; slope = fl(dx q): two; offset = fl(fl((N - 1/2)(q/256)) + 1/2): at most four, each relative to
+//   at most |offset| + 1; t: two more (one with FMA; instruction sets without it round the product too, which is counted).
+//   |error| <= u (3 |slope r| + 4 (|offset| + 1) + |t|)(1 + 2^-40) <= 8u (|t| + |offset| + 1), as |slope r| <= |t| + |offset|.
+//   The result is clamped to a window, so it can only be wrong where the true |t| <= 2^15 + 1 (elsewhere a relative error of
+//   2^-40 keeps t on its side of the clamp), and |offset| <= |xa - X0|/256 + |dx/dy|·2^15 <= 2^16 + 2^15·2^15/(dy/256).
+//   With dy <= 2^23:  dy·|error| <= 2^-50 (2^15·2^23 + 2^16·2^23 + 2^38 + 2^24) < 2^-50·2^41 = 2^-9... see kSlack: the box of
+//   the triangle and the target meet, so |r| <= 2^14 + 8 in fact and dy·|error| < 2^-10 < g·dy = 2^-9.
+// Beyond kFastRange a triangle goes to integer_spans.cpp. tests/rasterizer/kernels check the bound at its limits.
+#if defined(RASTERDIFF_SPAN_SETUP_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RASTERDIFF_SPAN_SETUP_INL_H
+#undef RASTERDIFF_SPAN_SETUP_INL_H
+#else
+#define RASTERDIFF_SPAN_SETUP_INL_H
+#endif
+
+#include <cstdint>
+
+#include "hwy/highway.h"
+#include "rasterizer/kernels/snapped_triangle.hpp"
+#include "rasterizer/kernels/span_target.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace rasterdiff::rasterizer {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::CappedTag<double, 8>;
+using DI = hn::Rebind<int32_t, D>;
+using DU = hn::RebindToUnsigned<D>;
+using V = hn::Vec<D>;
+using M = hn::Mask<D>;
+inline constexpr size_t kLanes = hn::MaxLanes(D());
+
+inline constexpr double kFastRange = 4194304;  // 2^22, in 1/256 pixel
+inline constexpr double kSteep = 1048576;      // slope of the line that stands for a horizontal edge: ±kSteep/2 is off every target
+
+inline constexpr double kMediumWindows = 6;                  // beyond, filling whole windows pays
+inline constexpr size_t kGroups = 16;                        // of kLanes block rows, for a medium triangle
+inline constexpr double kGroupRows = 8.0 * double{kLanes};  // pixels
+
+/// Lines and classes of up to kSize triangles; index = place in the batch.
+template <size_t kSamples>
+struct Batch {
+  static constexpr size_t kCapacity = kSamples == 0 ? 16 : kSamples;  // samples
+  static constexpr size_t kSize = kCapacity == 1 ? 256 : 64;          // triangles
+  struct List {
+    size_t size = 0;
+    uint64_t places[kSize + 8];
+  };
+  alignas(64) double slope[3][kSize];              // A, B, C in pixels a row
+  alignas(64) double offset[kCapacity][3][kSize];  // pixels from the first block's corner, + 1/2
+  alignas(64) int32_t block[kSize];                // words from the mask's start to the first block
+  alignas(64) int32_t firstRow[kSize], endRow[kSize], firstColumn[kSize], endColumn[kSize];  // clipped box, pixels
+  struct Long {
+    size_t size = 0;
+    uint64_t places[kSize * kGroups + 8];
+  };
+  // Places in the batch by class and side (0: A is the left bound, 1: the right bound).
+  List one[2];     // everything in one block column, at most two block rows
+  List two[2];     // those of them that reach the second block row
+  List thin[2];    // nowhere wider than a pixel, all inside the target
+  Long medium[2];  // few windows wide: group of kLanes block rows << 16 | place
+  List large[2];
+  List far;        // beyond the fast range
+
+  void Clear() {
+    for (size_t side = 0; side < 2; ++side)
+      one[side].size = two[side].size = thin[side].size = medium[side].size = large[side].size = 0;
+    far.size = 0;
+  }
+};
+
+struct Corners {
+  V x[3], y[3];
+};
+
+HWY_INLINE Corners LoadCorners(const SnappedTriangle* HWY_RESTRICT t) {
+  const D d;
+  Corners c;
+#if HWY_TARGET <= HWY_AVX3
+  const hn::RebindToSigned<D> di;
+  hn::Vec<decltype(di)> v[3];
+  hn::LoadInterleaved3(di, reinterpret_cast<const int64_t*>(t), v[0], v[1], v[2]);
+  for (int i = 0; i < 3; ++i) {
+    c.x[i] = hn::ConvertTo(d, hn::ShiftRight<32>(hn::ShiftLeft<32>(v[i])));
+    c.y[i] = hn::ConvertTo(d, hn::ShiftRight<32>(v[i]));
+  }
+#else
+  const DI di;
+  alignas(64) int32_t x[3][kLanes], y[3][kLanes];
+  for (size_t lane = 0; lane < kLanes; ++lane)
+    for (size_t i = 0; i < 3; ++i) x[i][lane] = t[lane].v[i].x, y[i][lane] = t[lane].v[i].y;
+  for (size_t i = 0; i < 3; ++i) {
+    c.x[i] = hn::PromoteTo(d, hn::Load(di, x[i]));
+    c.y[i] = hn::PromoteTo(d, hn::Load(di, y[i]));
+  }
+#endif
+  return c;
+}
+
+HWY_INLINE void SortByY(Corners& c, int i, int j) {
+  const M swap = hn::Lt(c.y[j], c.y[i]);
+  const V low = hn::Min(c.y[i], c.y[j]), high = hn::Max(c.y[i], c.y[j]);
+  const V xi = hn::IfThenElse(swap, c.x[j], c.x[i]), xj = hn::IfThenElse(swap, c.x[i], c.x[j]);
+  c.y[i] = low, c.y[j] = high, c.x[i] = xi, c.x[j] = xj;
+}
+
+HWY_INLINE void StoreInt(V v, int32_t* HWY_RESTRICT to) { hn::Store(hn::DemoteTo(DI(), v), DI(), to); }
+
+/// Appends the lanes of `mask`, without a branch; `list` has room for kLanes more than it holds.
+HWY_INLINE void Append(hn::Vec<DU> values, M mask, uint64_t* HWY_RESTRICT list, size_t& size) {
+#if HWY_TARGET <= HWY_AVX3
+  _mm512_storeu_si512(list + size, _mm512_maskz_compress_epi64(mask.raw, values.raw));
+  size += static_cast<size_t>(__builtin_popcount(mask.raw));
+#else
+  alignas(64) uint64_t value[kLanes], bits[kLanes];
+  hn::Store(values, DU(), value);
+  hn::Store(hn::BitCast(DU(), hn::VecFromMask(D(), mask)), DU(), bits);
+  for (size_t lane = 0; lane < kLanes; ++lane) {
+    list[size] = value[lane];
+    size += bits[lane] & 1;
+  }
+#endif
+}
+
+/// Sets up the kLanes triangles from `t` as places `base` and following.
+template <size_t kSamples>
+HWY_INLINE void SetUp(const SnappedTriangle* HWY_RESTRICT t, size_t base, const SpanTarget& target, Batch<kSamples>& b) {
+  const D d;
+  Corners c = LoadCorners(t);
+  const V minX = hn::Min(hn::Min(c.x[0], c.x[1]), c.x[2]), maxX = hn::Max(hn::Max(c.x[0], c.x[1]), c.x[2]);
+  SortByY(c, 0, 1);
+  SortByY(c, 1, 2);
+  SortByY(c, 0, 1);
+  const V zero = hn::Zero(d), half = hn::Set(d, 0.5), pixel = hn::Set(d, 1.0 / 256);
+
+  // The box of samples, clipped.
+  const V firstRow = hn::Max(hn::Ceil((c.y[0] - hn::Set(d, target.maxY)) * pixel), zero);
+  const V endRow = hn::Min(hn::Ceil((c.y[2] - hn::Set(d, target.minY)) * pixel), hn::Set(d, target.height));
+  const V firstColumn = hn::Max(hn::Ceil((minX - hn::Set(d, target.maxX)) * pixel), zero);
+  const V endColumn = hn::Min(hn::Ceil((maxX - hn::Set(d, target.minX)) * pixel), hn::Set(d, target.width));
+  const V blockRow = hn::Floor(firstRow * hn::Set(d, 1.0 / 8));
+  const V halfColumn = hn::Floor(firstColumn * hn::Set(d, 1.0 / 32));
+  const V cornerX = halfColumn * hn::Set(d, 32), cornerY = blockRow * hn::Set(d, 8);
+
+  const V dxA = c.x[2] - c.x[0], dyA = c.y[2] - c.y[0];
+  const V dxB = c.x[1] - c.x[0], dyB = c.y[1] - c.y[0];
+  const V dxC = c.x[2] - c.x[1], dyC = c.y[2] - c.y[1];
+  const V area = dxB * dyA - dxA * dyB;  // exact: < 2^47 within the fast range; > 0 where A is on the left
+  const V reach = hn::Max(hn::Max(hn::Neg(minX), maxX), hn::Max(hn::Neg(c.y[0]), c.y[2]));
+  const M inBox = hn::And(hn::Lt(firstRow, endRow), hn::Lt(firstColumn, endColumn));
+  const M near = hn::Le(reach, hn::Set(d, kFastRange));
+  const M alive = hn::And(hn::And(inBox, near), hn::Ne(area, zero));
+
+  const V qA = hn::Set(d, 1.0) / dyA, qB = hn::Set(d, 1.0) / dyB, qC = hn::Set(d, 1.0) / dyC;
+  const M flatTop = hn::Eq(dyB, zero), flatBottom = hn::Eq(dyC, zero);
+  const V steep = hn::CopySign(hn::Set(d, kSteep), area);
+  hn::Store(dxA * qA, d, b.slope[0] + base);
+  hn::Store(hn::IfThenElse(flatTop, steep, dxB * qB), d, b.slope[1] + base);
+  hn::Store(hn::IfThenElse(flatBottom, hn::Neg(steep), dxC * qC), d, b.slope[2] + base);
+
+  // Vertices relative to the corner of the first block: A and B pass through v0, C through v2.
+  const V k256 = hn::Set(d, 256);
+  const V x0 = c.x[0] - cornerX * k256, y0 = cornerY * k256 - c.y[0];
+  const V x2 = c.x[2] - cornerX * k256, y2 = cornerY * k256 - c.y[2];
+  const V pA = qA * pixel, pB = qB * pixel, pC = qC * pixel;
+  const size_t samples = kSamples == 0 ? target.samples : kSamples;
+  for (size_t s = 0; s < samples; ++s) {
+    const V sx = hn::Set(d, target.x[s]), sy = hn::Set(d, target.y[s]);
+    const V ax = x0 - sx, ay = y0 + sy, bx = x2 - sx, by = y2 + sy;
+    const V nA = hn::MulAdd(ax, dyA, ay * dxA), nB = hn::MulAdd(ax, dyB, ay * dxB), nC = hn::MulAdd(bx, dyC, by * dxC);
+    const V top = hn::Ceil(hn::Neg(ay) * pixel), bottom = hn::Ceil(hn::Neg(by) * pixel);  // rows of v0 and v2
+    const V offsetA = hn::MulAdd(nA - half, pA, half);
+    const V offsetB = hn::IfThenElse(flatTop, steep * (half - top), hn::MulAdd(nB - half, pB, half));
+    const V offsetC = hn::IfThenElse(flatBottom, steep * (bottom - half), hn::MulAdd(nC - half, pC, half));
+    hn::Store(offsetA, d, b.offset[s][0] + base);
+    hn::Store(offsetB, d, b.offset[s][1] + base);
+    hn::Store(offsetC, d, b.offset[s][2] + base);
+  }
+  StoreInt(hn::MulAdd(blockRow, hn::Set(d, target.rowWords), halfColumn * hn::Set(d, target.blockWords)), b.block + base);
+  StoreInt(firstRow, b.firstRow + base);
+  StoreInt(endRow, b.endRow + base);
+  StoreInt(firstColumn, b.firstColumn + base);
+  StoreInt(endColumn, b.endColumn + base);
+
+  const V down = endRow - cornerY, across = endColumn - cornerX;  // rows and columns of the first block and beyond
+  const M small = hn::And(hn::Le(across, hn::Set(d, 64)), hn::Le(down, hn::Set(d, 16)));
+  const M second = hn::Gt(down, hn::Set(d, 8));
+  const auto places = hn::Iota(DU(), 0) + hn::Set(DU(), base);
+  for (size_t side = 0; side < 2; ++side) {
+    const M mine = hn::And(alive, side == 0 ? hn::Gt(area, zero) : hn::Lt(area, zero));
+    const M mineSmall = hn::And(mine, small);
+    Append(places, mineSmall, b.one[side].places, b.one[side].size);
+    Append(places, hn::And(mineSmall, second), b.two[side].places, b.two[side].size);
+  }
+  const M rest = hn::AndNot(hn::And(small, near), inBox);
+  if (HWY_LIKELY(hn::AllFalse(d, rest))) return;
+  // The widest row is that of the middle vertex: |area| / dyA subpixels.
+  const M thin = hn::And(hn::And(hn::Le(hn::Abs(area), hn::Set(d, 255) * dyA),
+                                 hn::And(hn::Ge(minX, zero), hn::Ge(c.y[0], zero))),
+                         hn::And(hn::Le(maxX, hn::Set(d, target.width * 256)), hn::Le(c.y[2], hn::Set(d, target.height * 256))));
+  const M large = hn::Or(hn::Gt(across, hn::Set(d, 64 * kMediumWindows)), hn::Gt(down, hn::Set(d, kGroups * kGroupRows)));
+  for (size_t side = 0; side < 2; ++side) {
+    const M mine = hn::And(hn::And(alive, rest), side == 0 ? hn::Gt(area, zero) : hn::Lt(area, zero));
+    const M thick = hn::AndNot(thin, mine);
+    Append(places, hn::And(mine, thin), b.thin[side].places, b.thin[side].size);
+    const M moderate = hn::AndNot(large, thick);
+    Append(places, moderate, b.medium[side].places, b.medium[side].size);
+    V group = hn::Set(d, kGroupRows);
+    auto code = places;
+    for (M more = hn::And(moderate, hn::Gt(down, group)); !hn::AllFalse(d, more); more = hn::And(moderate, hn::Gt(down, group))) {
+      code = code + hn::Set(DU(), uint64_t{1} << 16);
+      Append(code, more, b.medium[side].places, b.medium[side].size);
+      group = group + hn::Set(d, kGroupRows);
+    }
+    Append(places, hn::And(large, thick), b.large[side].places, b.large[side].size);
+  }
+  Append(places, hn::AndNot(near, inBox), b.far.places, b.far.size);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace rasterdiff::rasterizer
+HWY_AFTER_NAMESPACE();
+#endif

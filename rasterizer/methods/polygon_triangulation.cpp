@@ -1,0 +1,100 @@
+#include "rasterizer/methods/polygon_triangulation.hpp"
+
+#include <GL/glu.h>
+
+#include <array>
+#include <cmath>
+#include <deque>
+#include <memory>
+#include <string>
+
+#include "rasterizer/edge_function.hpp"
+#include "rasterizer/methods/polygon_methods.hpp"
+#include "rasterizer/methods/triangle_pixels.hpp"
+
+namespace rasterdiff::rasterizer {
+namespace {
+
+/// What the library's callbacks build; vertices are handed to it by address.
+struct Collector {
+  std::deque<SubpixelPosition> vertices;
+  std::vector<const SubpixelPosition*> corners;
+  uint32_t rounded = 0;
+  GLenum error = 0;
+};
+
+void onVertex(void* vertex, void* collector) {
+  static_cast<Collector*>(collector)->corners.push_back(static_cast<const SubpixelPosition*>(vertex));
+}
+
+/// Asked for, it makes the library emit separate triangles instead of fans and strips.
+void onEdgeFlag(GLboolean, void*) {}
+
+void onCombine(GLdouble position[3], void* /*neighbours*/[4], GLfloat /*weights*/[4], void** made, void* collector) {
+  auto* self = static_cast<Collector*>(collector);
+  const double x = std::nearbyint(position[0]), y = std::nearbyint(position[1]);
+  if (x != position[0] || y != position[1]) ++self->rounded;
+  self->vertices.push_back({static_cast<int32_t>(x), static_cast<int32_t>(y)});
+  *made = &self->vertices.back();
+}
+
+void onError(GLenum error, void* collector) { static_cast<Collector*>(collector)->error = error; }
+
+using AnyCallback = void (*)();
+template <class Function>
+AnyCallback asCallback(Function* function) {
+  return reinterpret_cast<AnyCallback>(function);
+}
+
+struct TessellatorDeleter {
+  void operator()(GLUtesselator* tessellator) const { gluDeleteTess(tessellator); }
+};
+
+}  // namespace
+
+Result<Triangulation> triangulate(const Polygon& polygon, FillRule rule) {
+  if (auto ok = checkPolygon(polygon, 1, 1); !ok) return tl::unexpected(ok.error());
+  const std::unique_ptr<GLUtesselator, TessellatorDeleter> tessellator(gluNewTess());
+  if (!tessellator) return fail(ErrorCode::BadInput, "polygon", "the tessellator could not be made");
+  gluTessCallback(tessellator.get(), GLU_TESS_VERTEX_DATA, asCallback(onVertex));
+  gluTessCallback(tessellator.get(), GLU_TESS_EDGE_FLAG_DATA, asCallback(onEdgeFlag));
+  gluTessCallback(tessellator.get(), GLU_TESS_COMBINE_DATA, asCallback(onCombine));
+  gluTessCallback(tessellator.get(), GLU_TESS_ERROR_DATA, asCallback(onError));
+  gluTessProperty(tessellator.get(), GLU_TESS_WINDING_RULE,
+                  rule == FillRule::EvenOdd ? GLU_TESS_WINDING_ODD : GLU_TESS_WINDING_NONZERO);
+  gluTessNormal(tessellator.get(), 0, 0, 1);  // the plane is known: coordinates stay the integers that they are
+
+  Collector collector;
+  gluTessBeginPolygon(tessellator.get(), &collector);
+  gluTessBeginContour(tessellator.get());
+  for (const SubpixelPosition vertex : polygon.vertices) {
+    collector.vertices.push_back(vertex);
+    std::array<GLdouble, 3> position = {static_cast<double>(vertex.x), static_cast<double>(vertex.y), 0};
+    gluTessVertex(tessellator.get(), position.data(), &collector.vertices.back());
+  }
+  gluTessEndContour(tessellator.get());
+  gluTessEndPolygon(tessellator.get());
+  if (collector.error != 0) {
+    return fail(ErrorCode::BadInput, "polygon", "the tessellator gave up (error " + std::to_string(collector.error) + ")",
+                "draw it with the scanline method");
+  }
+
+  Triangulation result;
+  result.roundedVertices = collector.rounded;
+  for (size_t i = 0; i + 2 < collector.corners.size(); i += 3) {
+    const SnappedTriangle triangle{{*collector.corners[i], *collector.corners[i + 1], *collector.corners[i + 2]}};
+    if (doubleArea(triangle.v[0], triangle.v[1], triangle.v[2]) != 0) result.triangles.push_back(triangle);
+  }
+  return result;
+}
+
+Result<PixelMask> drawPolygonTriangulated(const Polygon& polygon, FillRule rule, int32_t width, int32_t height) {
+  if (auto ok = checkPolygon(polygon, width, height); !ok) return tl::unexpected(ok.error());
+  const Result<Triangulation> triangulation = triangulate(polygon, rule);
+  if (!triangulation) return tl::unexpected(triangulation.error());
+  PixelMask mask(width, height);
+  for (const SnappedTriangle& triangle : triangulation->triangles) addTrianglePixels(triangle, mask);
+  return mask;
+}
+
+}  // namespace rasterdiff::rasterizer

@@ -1,0 +1,81 @@
+#include "rasterizer/points/square_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rasterdiff::rasterizer {
+namespace {
+
+// Samples low <= p < high in 1/256 pixel.
+struct Interval {
+  int64_t low = 0, high = 0;
+  [[nodiscard]] bool contains(int64_t p) const { return p >= low && p < high; }
+};
+
+class SquarePoint final : public Shape {
+ public:
+  struct Axis {
+    Interval nominal;
+    Interval certain, possible;  // the closed square for every legal centre, and for any (possible: low <= p <= high - 1)
+  };
+  SquarePoint(const Axis& x, const Axis& y) : x_(x), y_(y) {}
+
+  [[nodiscard]] Rows rows() const override {
+    return {static_cast<int32_t>(y_.possible.low >> kSubpixelBits), static_cast<int32_t>((y_.possible.high - 1) >> kSubpixelBits)};
+  }
+  [[nodiscard]] RowSpan columns(int32_t) const override {
+    return {static_cast<int32_t>(x_.possible.low >> kSubpixelBits),
+            static_cast<int32_t>((x_.possible.high - 1) >> kSubpixelBits) + 1};
+  }
+  [[nodiscard]] bool covers(int64_t px, int64_t py, bool& tie) const override {
+    const auto onBorder = [](const Interval& i, int64_t p) { return p == i.low || p == i.high; };
+    const auto touches = [](const Interval& i, int64_t p) { return p >= i.low && p <= i.high; };
+    tie = touches(x_.nominal, px) && touches(y_.nominal, py) && (onBorder(x_.nominal, px) || onBorder(y_.nominal, py));
+    return x_.nominal.contains(px) && y_.nominal.contains(py);
+  }
+  [[nodiscard]] BandVerdict classify(int64_t px, int64_t py) const override {
+    if (x_.certain.contains(px) && y_.certain.contains(py)) return {Coverage::In, Freedom::None, std::nullopt};
+    if (!x_.possible.contains(px) || !y_.possible.contains(py)) return {};
+    bool tie = false;
+    static_cast<void>(covers(px, py, tie));
+    return {Coverage::Either, tie ? Freedom::TieOwner : Freedom::SnapRounding, std::nullopt};
+  }
+
+ private:
+  Axis x_, y_;
+};
+
+}  // namespace
+
+float quantisedPointSize(float size, const Limits& limits) {
+  const float clamped = std::clamp(size, limits.pointSizeMin, limits.pointSizeMax);
+  if (limits.pointSizeGranularity <= 0) return clamped;
+  const float steps = std::nearbyint((clamped - limits.pointSizeMin) / limits.pointSizeGranularity);
+  return std::min(limits.pointSizeMax, limits.pointSizeMin + steps * limits.pointSizeGranularity);
+}
+
+std::unique_ptr<Shape> makePointShape(const ClipPosition& position, const RasterVertex& vertex, float size,
+                                      const VertexStage& stage) {
+  // The half side in 1/256 pixel, on the grid that ceilingExactly takes.
+  const double half = std::nearbyint(double{size} * 128 * 1024) / 1024;
+  const auto axis = [&](float coordinate, const ViewportAxis& viewportAxis, int32_t snapped, int32_t lowest, int32_t highest) {
+    SquarePoint::Axis result;
+    if (stage.rules.choices.pointArithmetic == PointArithmetic::SnappedCentre) {
+      // The centre snapped like a vertex, the side in whole subpixels and at least a pixel, its half rounded down.
+      const auto side = std::max<int64_t>(kSubpixelOne, static_cast<int64_t>(std::nearbyint(double{size} * kSubpixelOne)));
+      result.nominal = {snapped - side / 2, snapped - side / 2 + side};
+    } else {
+      result.nominal = {ceilingExactly(coordinate, position.w, viewportAxis, -half),
+                        ceilingExactly(coordinate, position.w, viewportAxis, half)};
+    }
+    const auto outward = static_cast<int64_t>(std::ceil(half)), inward = static_cast<int64_t>(std::floor(half));
+    result.possible = {lowest - outward, highest + outward + 1};
+    result.certain = {highest - inward + 1, lowest + inward};
+    return result;
+  };
+  return std::make_unique<SquarePoint>(
+      axis(position.x, stage.viewport.x, vertex.snapped.x, vertex.lowest.x, vertex.highest.x),
+      axis(position.y, stage.viewport.y, vertex.snapped.y, vertex.lowest.y, vertex.highest.y));
+}
+
+}  // namespace rasterdiff::rasterizer

@@ -1,0 +1,32 @@
+// Seeded random triangles on each grid, at one and four samples, flat on the screen and in perspective.
+#include "scene/catalogue/build.hpp"
+#include "scene/generators/random_triangles.hpp"
+
+namespace rasterdiff::families {
+
+void addRandom(Entries& entries) {
+  Family family(entries, "random");
+  struct Named {
+    Grid grid;
+    const char* name;
+  };
+  uint64_t seed = 1000;
+  for (const Named& g : {Named{Grid::Half, "half"}, Named{Grid::Sixteenth, "sixteenth"},
+                         Named{Grid::TwoHundredFiftySixth, "256th"}, Named{Grid::Free, "free"}}) {
+    for (uint32_t samples : {1u, 4u}) {
+      for (bool perspective : {false, true}) {
+        const RandomTriangles options{++seed, 500, g.grid, samples, perspective, 256, false};
+        family.add(std::string(g.name) + (samples == 1 ? "-1x" : "-4x") + (perspective ? "-persp" : "-w1"),
+                   "500 triangles of all sizes", {"R1", "R3", "R12", "R14", "R15", "R50"},
+                   [options] { return randomTriangles(options); });
+      }
+    }
+  }
+  for (bool perspective : {false, true}) {
+    const RandomTriangles options{++seed, 200, Grid::Free, 1, perspective, 128, true};
+    family.add(perspective ? "values-persp" : "values-w1", "depth and values of 200 triangles of all sizes",
+               {"R11", "R21", "R22", "R38"}, [options] { return randomTriangles(options); });
+  }
+}
+
+}  // namespace rasterdiff::families
