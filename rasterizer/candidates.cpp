@@ -4,10 +4,12 @@
 #include <numeric>
 #include <optional>
 
+#include "rasterizer/fragment/alpha_to_coverage.hpp"
 #include "rasterizer/freedom_band.hpp"
 #include "rasterizer/interpolation.hpp"
 #include "rasterizer/render.hpp"
 #include "rasterizer/sample_pattern.hpp"
+#include "rasterizer/shape.hpp"
 #include "rasterizer/target_area.hpp"
 
 namespace rasterdiff::rasterizer {
@@ -82,9 +84,12 @@ class CandidateFinder {
   CandidateFinder(const Scene& scene, const Rules& rules, std::span<const SampleQuery> queries,
                   std::vector<SubpixelPosition> pattern)
       : scene_(scene), rules_(rules), needs_(needsOf(scene)), queries_(queries), pattern_(std::move(pattern)),
-        area_(targetArea(scene)), index_(queries, scene.target.height), values_(scene, needs_, rules), found(queries.size()) {}
+        index_(queries, scene.target.height), values_(scene, needs_, rules), found(queries.size()) {}
 
   void visit(const Primitive& primitive) {
+    area_ = targetArea(scene_, primitive.viewportIndex);
+    for (const Figure& figure : primitive.figures) visitFigure(primitive, figure);
+    if (primitive.polygon.empty() && !primitive.unprojectable) return;
     if (primitive.unprojectable) {
       for (size_t q = 0; q < queries_.size(); ++q) {
         if (area_.contains(static_cast<int32_t>(queries_[q].x), static_cast<int32_t>(queries_[q].y))) {
@@ -113,27 +118,92 @@ class CandidateFinder {
   }
 
  private:
+  void visitFigure(const Primitive& primitive, const Figure& figure) {
+    const Shape::Rows rows = figure.shape->rows();
+    index_.inBox(0, rows.first, static_cast<int32_t>(scene_.target.width), rows.last, [&](size_t q) {
+      const SampleQuery& query = queries_[q];
+      const auto x = static_cast<int32_t>(query.x), y = static_cast<int32_t>(query.y);
+      const RowSpan columns = figure.shape->columns(y);
+      if (!area_.contains(x, y) || x < columns.begin || x >= columns.end) return;
+      const int64_t px = int64_t{x} * kSubpixelOne + pattern_[query.sample].x;
+      const int64_t py = int64_t{y} * kSubpixelOne + pattern_[query.sample].y;
+      BandVerdict verdict;
+      if (rules_.open) {
+        verdict = figure.shape->classify(px, py);
+        if (figure.optional && verdict.coverage == Coverage::In) {
+          verdict = {Coverage::Either, Freedom::ClipVertexPosition, std::nullopt};
+        }
+      } else {
+        bool tie = false;
+        verdict.coverage = !figure.optional && figure.shape->covers(px, py, tie) ? Coverage::In : Coverage::Out;
+      }
+      if (verdict.coverage != Coverage::Out) addFigure(q, primitive, figure, verdict);
+    });
+  }
+
+  void addFigure(size_t q, const Primitive& primitive, const Figure& figure, BandVerdict verdict) {
+    Candidate candidate = unbounded(primitive, verdict);
+    if (valuesMatter()) {
+      values_.setUp(primitive, figure);
+      bound(q, candidate);
+    }
+    push(q, std::move(candidate));
+  }
+
   void add(size_t q, const Primitive& primitive, const SetupTriangle* piece, BandVerdict verdict) {
+    Candidate candidate = unbounded(primitive, verdict);
+    if (piece != nullptr && valuesMatter()) {
+      values_.setUp(primitive, *piece);
+      bound(q, candidate);
+    }
+    push(q, std::move(candidate));
+  }
+
+  void push(size_t q, Candidate candidate) {
+    const bool masked = (scene_.state.sampleMask & (1U << queries_[q].sample)) == 0;  // [vk:fragops-samplemask]
+    if (!masked && candidate.coverage != Coverage::Out) found[q].push_back(std::move(candidate));
+  }
+
+  [[nodiscard]] bool valuesMatter() const { return needs_.depth || values_.componentCount() > 0; }
+
+  [[nodiscard]] Candidate unbounded(const Primitive& primitive, const BandVerdict& verdict) const {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
     Candidate candidate;
     candidate.primitive = primitive.number;
     candidate.coverage = verdict.coverage;
     candidate.freedom = verdict.freedom;
     candidate.tieEdge = verdict.tieEdge;
-    constexpr float kInfinity = std::numeric_limits<float>::infinity();
     candidate.depth = {-kInfinity, kInfinity};
     candidate.varyings.assign(values_.componentCount(), Bounds{-kInfinity, kInfinity});
-    if (piece != nullptr && (needs_.depth || needs_.varyings > 0)) {
-      const SampleQuery& query = queries_[q];
-      values_.setUp(primitive, *piece);
-      if (needs_.depth) {
-        candidate.depth = values_.depth(query.x + pattern_[query.sample].x / double{kSubpixelOne},
-                                        query.y + pattern_[query.sample].y / double{kSubpixelOne}).bounds;
-      }
-      std::vector<Interpolated> interpolated(values_.componentCount());
-      values_.varyings(query.x + 0.5, query.y + 0.5, interpolated.data());
-      for (size_t c = 0; c < interpolated.size(); ++c) candidate.varyings[c] = interpolated[c].bounds;
+    return candidate;
+  }
+
+  // Bounds at the queried sample from the planes that values_ is set up with.
+  void bound(size_t q, Candidate& candidate) {
+    const SampleQuery& query = queries_[q];
+    if (needs_.depth) {
+      candidate.depth = values_.depth(query.x + pattern_[query.sample].x / double{kSubpixelOne},
+                                      query.y + pattern_[query.sample].y / double{kSubpixelOne}).bounds;
     }
-    found[q].push_back(std::move(candidate));
+    FragmentPlace place{static_cast<int32_t>(query.x), static_cast<int32_t>(query.y), query.sample, 0};
+    if (values_.needsMask()) {
+      place.covered = (values_.coveredSamples(place.x, place.y) & scene_.state.sampleMask) | 1U << query.sample;
+    }
+    std::vector<Interpolated> interpolated(values_.componentCount());
+    values_.fragment(place, interpolated.data());
+    for (size_t c = 0; c < interpolated.size(); ++c) candidate.varyings[c] = interpolated[c].bounds;
+    if (scene_.state.alphaToCoverageEnable) applyAlpha(candidate);
+  }
+
+  // [vk:fragops-covg] whether alpha keeps the sample: its own freedom, and what owns a tie matters no more.
+  void applyAlpha(Candidate& candidate) const {
+    const std::vector<Varying>& varyings = scene_.draws[0].varyings;
+    if (varyings.empty() || varyings[0].components != 4) return;
+    const Coverage kept = alphaCoverage(candidate.varyings[3]);
+    if (kept == Coverage::In) return;
+    candidate.coverage = kept;
+    candidate.freedom = Freedom::AlphaToCoverage;
+    candidate.tieEdge.reset();
   }
 
   const Scene& scene_;
@@ -141,7 +211,7 @@ class CandidateFinder {
   const SceneNeeds needs_;
   std::span<const SampleQuery> queries_;
   const std::vector<SubpixelPosition> pattern_;
-  const PixelArea area_;
+  PixelArea area_;  // of the primitive being visited
   const QueryIndex index_;
   PieceValues values_;
 

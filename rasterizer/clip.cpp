@@ -2,21 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rasterdiff::rasterizer {
 namespace {
 
 constexpr double kHalfUlp = 0x1p-24;  // relative rounding error of float32
 
-enum Plane : int { PlusX, MinusX, PlusY, MinusY, Near, Far, kPlanes };
-
-bool nearAtMinusW(bool negativeOneToOne, DeliberateError error) {
-  return negativeOneToOne != (error == DeliberateError::WrongNearPlane);
-}
+enum Plane : int { PlusX, MinusX, PlusY, MinusY, Near, Far };
 
 // Distance to a plane, >= 0 inside. T is float (a driver's arithmetic) or double.
 template <class T>
-T distance(const std::array<double, 4>& p, int plane, bool minusW) {
+T distance(const ClipVertex& vertex, int plane, bool minusW) {
+  if (plane >= kVolumePlanes) return static_cast<T>(vertex.distances[static_cast<size_t>(plane - kVolumePlanes)]);
+  const std::array<double, 4>& p = vertex.position;
   const T x = static_cast<T>(p[0]), y = static_cast<T>(p[1]), z = static_cast<T>(p[2]), w = static_cast<T>(p[3]);
   switch (plane) {
     case PlusX: return w - x;
@@ -40,6 +39,10 @@ ClipVertex between(const ClipVertex& base, const ClipVertex& other, T t) {
     vertex.error[i] = std::max(base.error[i], other.error[i]) +
                       6 * kHalfUlp * std::max(std::fabs(base.position[i]), std::fabs(other.position[i]));
   }
+  for (size_t i = 0; i < kMaxDistances; ++i) {
+    const T from = static_cast<T>(base.distances[i]), to = static_cast<T>(other.distances[i]);
+    vertex.distances[i] = from + t * (to - from);
+  }
   // Parameter on the screen of a point that is at t in clip space.
   const double tLinear = static_cast<double>(t) * other.position[3] / vertex.position[3];
   for (size_t i = 0; i < 3; ++i) {
@@ -61,11 +64,11 @@ template <class T>
 bool clipAgainst(int plane, bool minusW, const ClipPolygon& in, ClipPolygon& out) {
   out.size = 0;
   const ClipVertex* previous = &in.vertices[0];
-  T dPrevious = distance<T>(previous->position, plane, minusW);
+  T dPrevious = distance<T>(*previous, plane, minusW);
   if (!std::isfinite(dPrevious)) return false;
   for (int i = 1; i <= in.size; ++i) {
     const ClipVertex& vertex = in.vertices[static_cast<size_t>(i == in.size ? 0 : i)];
-    const T d = distance<T>(vertex.position, plane, minusW);
+    const T d = distance<T>(vertex, plane, minusW);
     if (!std::isfinite(d)) return false;
     const auto append = [&out](const ClipVertex& v) {
       if (out.size < ClipPolygon::kCapacity) out.vertices[static_cast<size_t>(out.size++)] = v;
@@ -90,50 +93,119 @@ void copyUnadjustedAttributes(ClipPolygon& polygon) {
   }
 }
 
+ClipVertex clipVertex(const ClipInput& input, const ClipVolume& volume, size_t corner) {
+  ClipVertex vertex;
+  const ClipPosition& p = input.position;
+  vertex.position = {p.x, p.y, p.z, p.w};
+  vertex.smoothWeights[corner] = vertex.linearWeights[corner] = 1;
+  for (size_t i = 0; i < volume.distances; ++i) {
+    const float d = input.distances[i];
+    const bool zeroOut = d == 0 && volume.error == DeliberateError::ClipDistanceExclusive;
+    vertex.distances[i] = zeroOut ? -std::numeric_limits<float>::min() : d;
+  }
+  return vertex;
+}
+
+// The end of a line that is farther along on the inner side of every plane: its parameter from `base` to `other`.
+template <class T>
+void clipEnds(unsigned planes, bool minusW, ClipPolygon& line) {
+  T t0 = 0, t1 = 0;
+  for (int plane = 0; plane < kClipPlanes; ++plane) {
+    if ((planes & (1U << plane)) == 0) continue;
+    const T d0 = distance<T>(line.vertices[0], plane, minusW), d1 = distance<T>(line.vertices[1], plane, minusW);
+    if (!std::isfinite(d0) || !std::isfinite(d1)) {
+      line.size = 0;
+      return;
+    }
+    if (d1 < 0) t1 = std::max<T>(t1, d1 / (d1 - d0));
+    if (d0 < 0) t0 = std::max<T>(t0, d0 / (d0 - d1));
+    if (t0 + t1 >= 1) {
+      line.size = 0;
+      return;
+    }
+  }
+  const ClipVertex first = line.vertices[0], second = line.vertices[1];
+  if (t0 > 0) line.vertices[0] = between<T>(first, second, t0);
+  if (t1 > 0) line.vertices[1] = between<T>(second, first, t1);
+}
+
 }  // namespace
 
-unsigned outcode(const ClipPosition& p, bool negativeOneToOne, DeliberateError error) {
+ClipVolume clipVolume(const State& state, const Draw& draw, DeliberateError error) {
+  ClipVolume volume;
+  volume.nearAtMinusW = state.negativeOneToOne != (error == DeliberateError::WrongNearPlane);
+  volume.nearAndFar = state.depthClipEnable.value_or(!state.depthClampEnable);
+  if (error == DeliberateError::DepthClipIgnored) volume.nearAndFar = false;
+  if (error == DeliberateError::DepthClipForced) volume.nearAndFar = true;
+  volume.distances = error == DeliberateError::ClipDistanceIgnored ? 0 : draw.clipDistanceCount;
+  volume.error = error;
+  return volume;
+}
+
+unsigned outcode(const ClipInput& vertex, const ClipVolume& volume) {
+  const ClipPosition& p = vertex.position;
   unsigned code = 0;
   if (p.x > p.w) code |= 1U << PlusX;
   if (0 > p.x + p.w) code |= 1U << MinusX;
   if (p.y > p.w) code |= 1U << PlusY;
   if (0 > p.y + p.w) code |= 1U << MinusY;
-  if (nearAtMinusW(negativeOneToOne, error) ? 0 > p.z + p.w : 0 > p.z) code |= 1U << Near;
-  if (p.z > p.w && error != DeliberateError::NoFarClip) code |= 1U << Far;
+  if (volume.nearAndFar) {
+    if (volume.nearAtMinusW ? 0 > p.z + p.w : 0 > p.z) code |= 1U << Near;
+    if (p.z > p.w && volume.error != DeliberateError::NoFarClip) code |= 1U << Far;
+  }
+  for (uint32_t i = 0; i < volume.distances; ++i) {
+    const float d = vertex.distances[i];
+    // [vk:vertexpostproc-clipping] a distance of exactly 0 is inside; NaN and infinity are outside.
+    const bool zeroOut = volume.error == DeliberateError::ClipDistanceExclusive && d == 0;
+    if (!(d >= 0) || zeroOut || std::isinf(d)) code |= 1U << (kVolumePlanes + static_cast<int>(i));
+  }
   return code;
 }
 
-ClipOutcome clipTriangle(std::span<const ClipPosition, 3> triangle, const Rules& rules, bool negativeOneToOne,
+ClipOutcome clipTriangle(std::span<const ClipInput, 3> triangle, ClipArithmetic arithmetic, const ClipVolume& volume,
                          ClipPolygon& polygon) {
   unsigned any = 0, all = ~0U;
   polygon.size = 3;
   for (size_t i = 0; i < 3; ++i) {
-    const ClipPosition& p = triangle[i];
-    const unsigned code = outcode(p, negativeOneToOne, rules.error);
+    const unsigned code = outcode(triangle[i], volume);
     any |= code;
     all &= code;
-    ClipVertex& vertex = polygon.vertices[i];
-    vertex = ClipVertex{};
-    vertex.position = {p.x, p.y, p.z, p.w};
-    vertex.smoothWeights[i] = vertex.linearWeights[i] = 1;
+    polygon.vertices[i] = clipVertex(triangle[i], volume, i);
   }
   if (any == 0) return ClipOutcome::Inside;
   if (all != 0) return ClipOutcome::Rejected;
 
-  const bool minusW = nearAtMinusW(negativeOneToOne, rules.error);
-  const bool asFloat = rules.choices.clipArithmetic == ClipArithmetic::Float32Linear;
   ClipPolygon other;
-  for (int plane = 0; plane < kPlanes && polygon.size >= 3; ++plane) {
+  for (int plane = 0; plane < kClipPlanes && polygon.size >= 3; ++plane) {
     if ((any & (1U << plane)) == 0) continue;
-    const bool finite = asFloat ? clipAgainst<float>(plane, minusW, polygon, other)
-                                : clipAgainst<double>(plane, minusW, polygon, other);
+    const bool finite = arithmetic == ClipArithmetic::Float32Linear
+                            ? clipAgainst<float>(plane, volume.nearAtMinusW, polygon, other)
+                            : clipAgainst<double>(plane, volume.nearAtMinusW, polygon, other);
     if (!finite) {
       polygon.size = 0;
       return ClipOutcome::Cut;
     }
     std::swap(polygon, other);
   }
-  if (rules.error == DeliberateError::ClipAttributeUnadjusted) copyUnadjustedAttributes(polygon);
+  if (volume.error == DeliberateError::ClipAttributeUnadjusted) copyUnadjustedAttributes(polygon);
+  return ClipOutcome::Cut;
+}
+
+ClipOutcome clipLine(std::span<const ClipInput, 2> line, ClipArithmetic arithmetic, const ClipVolume& volume,
+                     ClipPolygon& polygon) {
+  const unsigned first = outcode(line[0], volume), second = outcode(line[1], volume);
+  polygon.size = 2;
+  for (size_t i = 0; i < 2; ++i) polygon.vertices[i] = clipVertex(line[i], volume, i);
+  if ((first | second) == 0) return ClipOutcome::Inside;
+  if ((first & second) != 0) {
+    polygon.size = 0;
+    return ClipOutcome::Rejected;
+  }
+  if (arithmetic == ClipArithmetic::Float32Linear) {
+    clipEnds<float>(first | second, volume.nearAtMinusW, polygon);
+  } else {
+    clipEnds<double>(first | second, volume.nearAtMinusW, polygon);
+  }
   return ClipOutcome::Cut;
 }
 

@@ -1,5 +1,6 @@
-// Clipping of triangles in homogeneous coordinates against the view volume: whole rejection, or a convex polygon with
-// what is needed to carry attributes along. (Sutherland-Hodgman 1974; [vk:vertexpostproc-clipping])
+// Clipping in homogeneous coordinates against the view volume and user clip distances: whole rejection, or what is left
+// of a triangle, line or point, with what is needed to carry attributes along.
+// (Sutherland-Hodgman 1974; [vk:vertexpostproc-clipping])
 #pragma once
 
 #include <array>
@@ -17,22 +18,46 @@ struct ClipVertex {
   std::array<double, 4> position{};
   std::array<double, 3> smoothWeights{}, linearWeights{};
   std::array<double, 4> error{};  ///< bound on a float32 clipper's deviation from `position`, per coordinate
+  std::array<double, kMaxDistances> distances{};  ///< user clip distances, interpolated like smooth attributes
   bool made = false;              ///< by clipping
 };
 
+inline constexpr int kVolumePlanes = 6;
+inline constexpr int kClipPlanes = kVolumePlanes + static_cast<int>(kMaxDistances);
+
 struct ClipPolygon {
-  static constexpr int kCapacity = 3 + 6;  ///< each of six planes adds at most one vertex
+  static constexpr int kCapacity = 3 + kClipPlanes;  ///< each plane adds at most one vertex
   std::array<ClipVertex, kCapacity + 1> vertices;
   int size = 0;
 };
 
 enum class ClipOutcome : uint8_t { Inside, Rejected, Cut };
 
-/// Bit i set: outside plane i, in the order +x, -x, +y, -y, near, far.
-[[nodiscard]] unsigned outcode(const ClipPosition& position, bool negativeOneToOne, DeliberateError error);
+/// What is clipped against, for one draw.
+struct ClipVolume {
+  bool nearAtMinusW = false;  ///< near plane z = -w instead of z = 0
+  bool nearAndFar = true;     ///< depth clipping is on. [vk:vertexpostproc-clipping] depthClipEnable / depthClampEnable
+  uint32_t distances = 0;     ///< number of user clip distances
+  DeliberateError error = DeliberateError::None;
+};
 
-/// Clips; `polygon` has 3 vertices if Inside (the triangle's own), up to 9 if Cut (0 to 2 mean that nothing is left).
-[[nodiscard]] ClipOutcome clipTriangle(std::span<const ClipPosition, 3> triangle, const Rules& rules,
-                                       bool negativeOneToOne, ClipPolygon& polygon);
+[[nodiscard]] ClipVolume clipVolume(const State& state, const Draw& draw, DeliberateError error);
+
+/// One vertex as the clipper takes it.
+struct ClipInput {
+  ClipPosition position;
+  std::span<const float> distances;  ///< ClipVolume::distances of them
+};
+
+/// Bit i set: outside plane i, in the order +x, -x, +y, -y, near, far, user distances.
+[[nodiscard]] unsigned outcode(const ClipInput& vertex, const ClipVolume& volume);
+
+/// Clips a triangle; `polygon` has 3 vertices if Inside (its own), more or fewer if Cut (0 to 2: nothing is left).
+[[nodiscard]] ClipOutcome clipTriangle(std::span<const ClipInput, 3> triangle, ClipArithmetic arithmetic,
+                                       const ClipVolume& volume, ClipPolygon& polygon);
+
+/// Clips a line; `polygon` gets its 2 vertices (0: nothing is left).
+[[nodiscard]] ClipOutcome clipLine(std::span<const ClipInput, 2> line, ClipArithmetic arithmetic, const ClipVolume& volume,
+                                   ClipPolygon& polygon);
 
 }  // namespace rasterdiff::rasterizer

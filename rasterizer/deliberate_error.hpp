@@ -33,6 +33,46 @@ enum class DeliberateError : uint8_t {
   StripParityIgnored,       ///< odd triangles of a strip keep their winding reversed
   FirstWins,                ///< overlapping primitives: the first stays
   IndexOffByOne,            ///< the last index of an indexed draw repeated
+  RestartIgnored,           ///< primitive restart: the strips are joined
+  PolygonModeIgnored,       ///< LINE and POINT filled
+  ClipDistanceIgnored,      ///< user clip distances without effect
+  ClipDistanceExclusive,    ///< a clip distance of exactly 0 is outside
+  CullDistanceIgnored,      ///< cull distances without effect
+  CullDistanceAny,          ///< one negative cull distance is enough to discard
+  DepthClipIgnored,         ///< near and far plane never clip
+  DepthClipForced,          ///< near and far plane clip although they are off
+  ViewportIndexIgnored,     ///< every draw goes through viewport 0
+  PointRounded,             ///< points centred on the pixel their vertex lies in
+  PointSizeIgnored,         ///< every point one pixel wide
+  PointClippedByExtent,     ///< a point whose square leaves the view volume is discarded
+  LineWidthIgnored,         ///< every line one pixel wide
+  LineEndIncluded,          ///< lines one pixel too long
+  LineModeExchanged,        ///< rectangular lines drawn as Bresenham lines and the other way round
+  StippleIgnored,           ///< stippled lines drawn solid
+  StippleNotReset,          ///< the stipple counter runs on between independent segments
+  DepthBiasUnclamped,     ///< depthBiasClamp ignored
+  DepthBiasTripled,       ///< depthBiasConstantFactor three times as large
+  DepthBiasSlopeIgnored,  ///< depthBiasSlopeFactor without effect
+  DepthBiasOnFillOnly,    ///< no depth bias in polygon modes LINE and POINT
+  DepthTruncated,         ///< fixed-point depth two steps below the nearest
+  DepthClampIgnored,      ///< depth is not clamped to the viewport's range
+  DepthClampBeforeBias,   ///< depth clamped first, biased then
+  SampleMaskIgnored,      ///< pSampleMask without effect
+  SampleMaskShifted,      ///< bit s of pSampleMask taken for sample s + 1
+  CoverageMaskReversed,   ///< the bits of a fragment's coverage mask in reverse order
+  SampleMaskInFull,       ///< SampleMask always has all bits
+  SampleIdZero,           ///< one invocation shades all samples as sample 0
+  CentroidIgnored,        ///< centroid inputs evaluated at the centre, covered or not
+  SampleAtCentre,         ///< sample inputs evaluated at the centre
+  OffsetFlipped,          ///< the offset of interpolateAtOffset subtracted
+  FragCoordInteger,       ///< FragCoord without the half pixel to the centre
+  FragCoordW,             ///< FragCoord.w is w, not 1 / w
+  FrontFacingInverted,    ///< FrontFacing exchanged, for lines and points too
+  PointCoordUp,           ///< the second point coordinate runs upward
+  LineAttributesByX,      ///< values along a line follow x alone
+  FlatFromWrongLineEnd,   ///< flat values of lines from the end that does not provoke
+  AlphaInverted,          ///< alpha to coverage with 1 - alpha
+  ResolveSampleZero,      ///< resolve takes sample 0 for the average
 };
 
 struct DeliberateErrorInfo {

@@ -100,7 +100,7 @@ Result<SampleExplanation> explain(const Scene& scene, const Rules& rules, Sample
   result.position = {static_cast<int32_t>(query.x) * kSubpixelOne + pattern[query.sample].x,
                      static_cast<int32_t>(query.y) * kSubpixelOne + pattern[query.sample].y};
   result.insideScissor =
-      targetArea(scene, rules.error).contains(static_cast<int32_t>(query.x), static_cast<int32_t>(query.y));
+      targetArea(scene, 0, rules.error).contains(static_cast<int32_t>(query.x), static_cast<int32_t>(query.y));
   result.owner = frame->primitive.at(query.x, query.y, query.sample);
   RuleCounts ignored;
   forEachPrimitive(scene, rules, ignored, [&](const Primitive& primitive) {

@@ -4,6 +4,9 @@
 #include <limits>
 
 #include "rasterizer/depth_test.hpp"
+#include "rasterizer/fragment/alpha_to_coverage.hpp"
+#include "rasterizer/fragment/resolve.hpp"
+#include "scene/built_ins.hpp"
 
 namespace rasterdiff::rasterizer {
 namespace {
@@ -24,29 +27,56 @@ State withError(State state, DeliberateError error) {
   return state;
 }
 
+uint32_t maskUnder(const State& state, uint32_t samples, DeliberateError error) {
+  const uint32_t all = (1U << samples) - 1;
+  if (error == DeliberateError::SampleMaskIgnored) return all;
+  return (error == DeliberateError::SampleMaskShifted ? state.sampleMask << 1 : state.sampleMask) & all;
+}
+
 }  // namespace
 
 FrameWriter::FrameWriter(const Scene& scene, const SceneNeeds& needs, const Rules& rules,
                          std::vector<SubpixelPosition> pattern, RuleCounts& counts)
-    : state_(withError(scene.state, rules.error)), error_(rules.error), pattern_(std::move(pattern)), counts_(counts) {
-  const auto [width, height, samples, depthFormat, clear] = scene.target;
+    : state_(withError(scene.state, rules.error)), error_(rules.error), pattern_(std::move(pattern)), counts_(counts),
+      sampleMask_(maskUnder(scene.state, scene.target.samples, rules.error)), open_(rules.open), resolve_(scene.target.resolve) {
+  const auto [width, height, samples] = std::array{scene.target.width, scene.target.height, scene.target.samples};
+  masks_ = sampleMask_ != (1U << samples) - 1;
+  const bool hasVaryings = !scene.draws.empty() && !scene.draws[0].varyings.empty();
+  alpha_ = scene.state.alphaToCoverageEnable && hasVaryings && scene.draws[0].varyings[0].components == 4;
   frame_.width = width;
   frame_.height = height;
   frame_.samples = samples;
   frame_.primitive = Plane<uint32_t>(width, height, samples);
   frame_.count = Plane<uint32_t>(width, height, samples);
-  if (rules.open) frame_.coverage.emplace(width, height, samples);
+  if (rules.open || alpha_) frame_.coverage.emplace(width, height, samples);
   if (needs.depth) {
-    frame_.depth.emplace(width, height, samples, 1, clear);
-    frame_.depthBounds.emplace(width, height, samples, 1, Bounds{clear, clear});
+    const Interpolated clear = clearedDepth(scene.target.depthClearValue, *scene.target.depthFormat);
+    frame_.depth.emplace(width, height, samples, 1, clear.value);
+    frame_.depthBounds.emplace(width, height, samples, 1, clear.bounds);
   }
-  if (needs.varyings > 0) {
-    for (const Varying& varying : scene.draws[0].varyings) {
-      VaryingPlane plane{varying.name, Plane<float>(width, height, samples, varying.components), std::nullopt};
-      plane.bounds.emplace(width, height, samples, varying.components);
-      frame_.varyings.push_back(std::move(plane));
-    }
+  if (hasVaryings) {
+    for (const Varying& varying : scene.draws[0].varyings) addPlane(varying.name, varying.components);
   }
+  varyings_ = frame_.varyings.size();
+  for (const BuiltIn builtIn : scene.builtIns) addPlane(builtInName(builtIn), builtInComponents(builtIn));
+}
+
+void FrameWriter::addPlane(std::string_view name, uint32_t components) {
+  VaryingPlane plane{std::string(name), Plane<float>(frame_.width, frame_.height, frame_.samples, components), std::nullopt};
+  plane.bounds.emplace(frame_.width, frame_.height, frame_.samples, components);
+  frame_.varyings.push_back(std::move(plane));
+}
+
+// [vk:fragops-samplemask]
+std::span<const RowSpan> FrameWriter::masked(std::span<const RowSpan> spans) {
+  if (!masks_) return spans;
+  masked_.assign(spans.begin(), spans.end());
+  for (size_t s = 0; s < masked_.size(); ++s) {
+    if ((sampleMask_ & (1U << s)) != 0) continue;
+    counts_[Rule::SampleMask] += static_cast<uint64_t>(masked_[s].length());
+    masked_[s] = {};
+  }
+  return masked_;
 }
 
 void FrameWriter::fillCoverage(uint32_t primitive, int32_t y, std::span<const RowSpan> spans) {
@@ -58,9 +88,9 @@ void FrameWriter::fillCoverage(uint32_t primitive, int32_t y, std::span<const Ro
   }
 }
 
-void FrameWriter::writeRow(uint32_t primitive, const PieceValues& values, int32_t y, std::span<const RowSpan> spans) {
-  const bool hasDepth = frame_.depth.has_value();
-  if (!hasDepth && frame_.varyings.empty()) {
+void FrameWriter::writeRow(uint32_t primitive, PieceValues& values, int32_t y, std::span<const RowSpan> rasterized) {
+  const std::span<const RowSpan> spans = masked(rasterized);
+  if (!frame_.depth && frame_.varyings.empty()) {
     fillCoverage(primitive, y, spans);
     return;
   }
@@ -71,24 +101,47 @@ void FrameWriter::writeRow(uint32_t primitive, const PieceValues& values, int32_
     begin = std::min(begin, span.begin);
     end = std::max(end, span.end);
   }
-  for (int32_t x = begin; x < end; ++x) {
-    bool evaluated = false;
+  for (int32_t x = begin; x < end; ++x) writePixel(primitive, values, x, y, spans);
+}
+
+void FrameWriter::writePixel(uint32_t primitive, PieceValues& values, int32_t x, int32_t y, std::span<const RowSpan> spans) {
+  FragmentPlace place{x, y, 0, 0};
+  if (values.needsMask()) {
     for (size_t s = 0; s < spans.size(); ++s) {
-      if (x < spans[s].begin || x >= spans[s].end) continue;
-      if (!evaluated && !values_.empty()) values.varyings(x + 0.5, y + 0.5, values_.data());
-      evaluated = true;
-      Interpolated depth;
-      if (hasDepth) {
-        depth = values.depth(x + pattern_[s].x * kPixel, y + pattern_[s].y * kPixel);
-        if (error_ == DeliberateError::DepthOffByOneStep) {
-          depth.value = std::nextafter(depth.bounds.hi, std::numeric_limits<float>::infinity());
-        }
-      }
-      writeSample(primitive,
-                  frame_.primitive.index(static_cast<uint32_t>(x), static_cast<uint32_t>(y), static_cast<uint32_t>(s)),
-                  hasDepth ? &depth : nullptr, values_.data());
+      if (x >= spans[s].begin && x < spans[s].end) place.covered |= 1U << s;
     }
   }
+  bool evaluated = values_.empty();
+  for (uint32_t s = 0; s < spans.size(); ++s) {
+    if (x < spans[s].begin || x >= spans[s].end) continue;
+    place.sample = s;
+    if (!evaluated) values.fragment(place, values_.data());
+    evaluated = !values.perSample() || values_.empty();
+    if (alpha_ && !alphaKeeps(place)) continue;
+    Interpolated depth;
+    if (frame_.depth) {
+      depth = values.depth(x + pattern_[s].x * kPixel, y + pattern_[s].y * kPixel);
+      if (error_ == DeliberateError::DepthOffByOneStep) {
+        depth.value = std::nextafter(depth.bounds.hi, std::numeric_limits<float>::infinity());
+      }
+    }
+    writeSample(primitive, frame_.primitive.index(static_cast<uint32_t>(x), static_cast<uint32_t>(y), s),
+                frame_.depth ? &depth : nullptr, values_.data());
+  }
+}
+
+// [vk:fragops-covg] before the depth test.
+bool FrameWriter::alphaKeeps(const FragmentPlace& place) {
+  const Interpolated& alpha = values_[3];
+  const float value = error_ == DeliberateError::AlphaInverted ? 1 - alpha.value : alpha.value;
+  const bool keeps = alphaCovers(value, place.sample, frame_.samples);
+  if (!keeps) ++counts_[Rule::AlphaToCoverage];
+  if (!open_) {
+    Coverage& known = frame_.coverage->at(static_cast<uint32_t>(place.x), static_cast<uint32_t>(place.y), place.sample);
+    const Coverage legal = alphaCoverage(alpha.bounds);
+    if (known != Coverage::In && legal != Coverage::Out) known = legal;
+  }
+  return keeps;
 }
 
 bool FrameWriter::passesDepth(size_t index, float fragment) {
@@ -128,8 +181,17 @@ void FrameWriter::markCoverage(int32_t y, uint32_t sample, RowSpan certain) {
 }
 
 void FrameWriter::markCoverage(int32_t x, int32_t y, uint32_t sample, Coverage coverage) {
+  if (coverage == Coverage::Out || (sampleMask_ & (1U << sample)) == 0) return;
   Coverage& known = frame_.coverage->at(static_cast<uint32_t>(x), static_cast<uint32_t>(y), sample);
-  if (known != Coverage::In && coverage != Coverage::Out) known = coverage;
+  // What alpha keeps of it is not this function's to know.
+  if (known != Coverage::In) known = alpha_ ? Coverage::Either : coverage;
+}
+
+Frame FrameWriter::take() {
+  for (size_t v = 0; resolve_ && v < varyings_; ++v) {
+    frame_.resolved.push_back(resolved(frame_.varyings[v], error_ == DeliberateError::ResolveSampleZero, counts_));
+  }
+  return std::move(frame_);
 }
 
 }  // namespace rasterdiff::rasterizer

@@ -1,5 +1,8 @@
-// The end of the pipeline: fragment samples into the frame's planes, through the depth test, in drawing order.
+// The end of the pipeline: fragment samples through sample mask, alpha to coverage and depth test into the frame's
+// planes, in drawing order, and the resolve. What the values are is PieceValues' business.
 #pragma once
+
+#include <string_view>
 
 #include "rasterizer/interpolation.hpp"
 #include "rasterizer/row_span.hpp"
@@ -13,15 +16,20 @@ class FrameWriter {
               RuleCounts& counts);
 
   /// One row of one piece: spans[s] are the pixels whose sample s is covered.
-  void writeRow(uint32_t primitive, const PieceValues& values, int32_t y, std::span<const RowSpan> spans);
+  void writeRow(uint32_t primitive, PieceValues& values, int32_t y, std::span<const RowSpan> spans);
 
   /// One row of a primitive's three-valued coverage for one sample (open rules).
   void markCoverage(int32_t y, uint32_t sample, RowSpan certain);
   void markCoverage(int32_t x, int32_t y, uint32_t sample, Coverage coverage);
 
-  [[nodiscard]] Frame take() { return std::move(frame_); }
+  /// Resolves, where the scene asks for it, and gives the frame away.
+  [[nodiscard]] Frame take();
 
  private:
+  void addPlane(std::string_view name, uint32_t components);
+  [[nodiscard]] std::span<const RowSpan> masked(std::span<const RowSpan> spans);
+  void writePixel(uint32_t primitive, PieceValues& values, int32_t x, int32_t y, std::span<const RowSpan> spans);
+  [[nodiscard]] bool alphaKeeps(const FragmentPlace& place);
   void fillCoverage(uint32_t primitive, int32_t y, std::span<const RowSpan> spans);
   void writeSample(uint32_t primitive, size_t index, const Interpolated* depth, const Interpolated* values);
   [[nodiscard]] bool passesDepth(size_t index, float fragment);
@@ -32,6 +40,11 @@ class FrameWriter {
   RuleCounts& counts_;
   Frame frame_;
   std::vector<Interpolated> values_;
+  std::vector<RowSpan> masked_;
+  uint32_t sampleMask_ = 0;    ///< bits of the samples there are
+  bool masks_ = false;         ///< some sample is masked out
+  bool alpha_ = false, open_ = false, resolve_ = false;
+  size_t varyings_ = 0;        ///< planes that are varyings; built-ins follow
 };
 
 }  // namespace rasterdiff::rasterizer

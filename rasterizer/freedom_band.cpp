@@ -160,8 +160,13 @@ bool FreedomBand::placementCovers(unsigned placement, int64_t px, int64_t py) co
   std::array<SubpixelPosition, 3> v;
   for (size_t i = 0; i < 3; ++i) {
     const Corner& corner = edges_[i].a;
-    v[i] = {((placement >> (2 * i)) & 1) != 0 ? corner.highest.x : corner.lowest.x,
-            ((placement >> (2 * i)) & 2) != 0 ? corner.highest.y : corner.lowest.y};
+    const auto place = [&placement](int32_t lowest, int32_t highest) {
+      const auto step = static_cast<int32_t>(placement % 3);
+      placement /= 3;
+      return std::min(lowest + step, highest);
+    };
+    v[i].x = place(corner.lowest.x, corner.highest.x);
+    v[i].y = place(corner.lowest.y, corner.highest.y);
   }
   const int64_t area = doubleArea(v[0], v[1], v[2]);
   if (area == 0 || isCulled(cullMode_, frontFace_, area > 0)) return false;
@@ -177,8 +182,12 @@ bool FreedomBand::placementCovers(unsigned placement, int64_t px, int64_t py) co
 BandVerdict FreedomBand::classifyExactly(int64_t px, int64_t py) const {
   const BandVerdict verdict = classify(px, py);
   if (verdict.coverage != Coverage::Either || !triangle_) return verdict;
+  // In wider boxes (a coarser grid, which a device may refine, or viewport bounds that may move) the list would not be whole.
+  for (const Edge& edge : edges_) {
+    if (edge.a.highest.x - edge.a.lowest.x > 2 || edge.a.highest.y - edge.a.lowest.y > 2) return verdict;
+  }
   // Reversed edges start at the corners 1, 2, 0: a rotation, so the winding of a placement is the primitive's own.
-  for (unsigned placement = 0; placement < 64; ++placement) {
+  for (unsigned placement = 0; placement < 729; ++placement) {
     if (placementCovers(placement, px, py)) return verdict;
   }
   return {};

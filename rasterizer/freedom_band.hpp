@@ -38,7 +38,8 @@ class FreedomBand {
   /// in each coordinate, so its extremes are at corners). Exact for In; Out may be missed by this test alone.
   [[nodiscard]] BandVerdict classify(int64_t px, int64_t py) const;
 
-  /// Like classify, and for triangles that were not cut also exact for Out: tries all 64 corner placements.
+  /// Like classify, and for triangles that were not cut, with boxes of at most 3 × 3 grid points, also exact for Out: tries
+  /// all their placements.
   [[nodiscard]] BandVerdict classifyExactly(int64_t px, int64_t py) const;
 
   /// Extreme values over the boxes of the edge function of outer edge i (1/65536 pixel²).

@@ -16,6 +16,20 @@ enum class Freedom : uint8_t {
   ClipVertexPosition,  ///< position of vertices that clipping makes has no stated precision
   NearZeroArea,        ///< facing of a triangle whose area changes sign under legal snapping
   DivisionByZero,      ///< a vertex with w = 0 inside the view volume has no place on the screen
+  LineCorner,          ///< corners of a line's outline have no stated precision
+  LineWidthStep,       ///< widths between the advertised ones may be supported too
+  LineAlgorithm,       ///< without strictLines: a parallelogram or a Bresenham line
+  BresenhamDeviation,  ///< Bresenham lines: one pixel aside, one fragment more or less
+  LineClip,            ///< a line that leaves the clip volume may be cut or not
+  StippleCarry,        ///< the remainder of a stippled line may be carried to the next segment
+  LineInterpolation,  ///< values of non-strict and wide Bresenham lines: by projection or along the major axis
+  CentroidPosition,   ///< centroid inputs: anywhere the primitive covers
+  OffsetRounding,     ///< interpolation offsets may be rounded
+  SampleShadingRate,  ///< which samples share an invocation
+  DepthBias,          ///< slope, unit and scope of depth bias
+  UndefinedDepth,     ///< depths outside of the viewport's range, unclamped
+  AlphaToCoverage,    ///< which samples an alpha between 0 and 1 covers
+  ResolveRounding,    ///< the average has no stated precision
   AttributePosition,   ///< undecorated inputs: anywhere in the fragment area
   Evaluation,          ///< interpolation has no stated precision: derived float32 evaluation bound
 };

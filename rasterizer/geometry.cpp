@@ -1,126 +1,179 @@
 #include "rasterizer/geometry.hpp"
 
-#include <utility>
+#include <algorithm>
 
+#include "rasterizer/figures.hpp"
+#include "rasterizer/piece_maker.hpp"
+#include "rasterizer/target_area.hpp"
 #include "rasterizer/vertex_stage.hpp"
 
 namespace rasterdiff::rasterizer {
 namespace {
 
-bool culledBy(CullMode mode, bool frontFacing) {
-  const auto bits = static_cast<uint32_t>(mode);
-  const auto face = static_cast<uint32_t>(frontFacing ? CullMode::FRONT : CullMode::BACK);
-  return (bits & face) != 0;
-}
-
-TieOwner tieOwner(const Rules& rules) {
-  return rules.error == DeliberateError::TieOwnerBottomRight ? TieOwner::BottomRight : rules.choices.tieOwner;
-}
-
-void setTies(SetupTriangle& triangle, DeliberateError error) {
-  if (error != DeliberateError::TiesCoveredByBoth && error != DeliberateError::TiesCoveredByNone) return;
-  for (EdgeFunction& edge : triangle.edges) edge.ownsTies = error == DeliberateError::TiesCoveredByBoth;
-}
-
-class PieceMaker {
+class DrawGeometry {
  public:
-  PieceMaker(const State& state, const Rules& rules, RuleCounts& counts)
-      : state_(state), rules_(rules), counts_(counts) {}
-
-  // Fan over the polygon from its first vertex; pieces of zero area draw nothing.
-  // [vk:primsrast-polygons-basic] facing is the sign of a = -doubleArea / 2; a zero area is back-facing.
-  void makePieces(Primitive& primitive) const {
-    primitive.pieces.clear();
-    for (size_t i = 2; i < primitive.polygon.size(); ++i) {
-      SetupTriangle triangle;
-      triangle.corner = {0, static_cast<uint8_t>(i - 1), static_cast<uint8_t>(i)};
-      const auto at = [&](size_t k) { return primitive.polygon[triangle.corner[k]].snapped; };
-      triangle.area = doubleArea(at(0), at(1), at(2));
-      triangle.frontFacing = isFront(triangle.area);
-      triangle.culled = culledBy(state_.cullMode, triangle.frontFacing);
-      if (state_.cullMode == CullMode::FRONT || state_.cullMode == CullMode::BACK) ++counts_[Rule::Facing];
-      if (triangle.culled) ++counts_[Rule::Culling];
-      if (triangle.area == 0) continue;
-      if (triangle.area < 0) {
-        std::swap(triangle.corner[1], triangle.corner[2]);
-        triangle.flipped = true;
-      }
-      const TieOwner owner = tieOwner(rules_);
-      for (size_t k = 0; k < 3; ++k) triangle.edges[k] = edgeFunction(at(k), at((k + 1) % 3), owner);
-      setTies(triangle, rules_.error);
-      primitive.pieces.push_back(triangle);
+  DrawGeometry(const Scene& scene, const Rules& rules, const Draw& draw, RuleCounts& counts, const PrimitiveVisitor& visit)
+      : scene_(scene), rules_(rules), draw_(draw), counts_(counts), visit_(visit),
+        viewportIndex_(rules.error == DeliberateError::ViewportIndexIgnored ? 0 : draw.viewportIndex),
+        stage_(vertexStage(scene, rules, viewportIndex_)),
+        volume_(clipVolume(scene.state, draw, rules.error)),
+        pieceMaker_(scene.state, rules, counts),
+        figureMaker_(scene, rules, draw, stage_, volume_, targetArea(scene, viewportIndex_, rules.error), counts) {
+    for (uint32_t i = 0; i < draw.positions.size(); ++i) {
+      outcodes_.push_back(outcode(input(i), volume_));
+      const ClipPosition& position = draw.positions[i];
+      vertices_.push_back(outcodes_.back() == 0 && position.w > 0 ? stage_.original(position) : RasterVertex{});
     }
+    const Viewport& viewport = viewportOf(scene, viewportIndex_);
+    primitive_.draw = &draw;
+    primitive_.viewport = stage_.viewport;
+    primitive_.minDepth = viewport.minDepth;
+    primitive_.maxDepth = viewport.maxDepth;
+    primitive_.viewportIndex = viewportIndex_;
+  }
+
+  uint32_t run(uint32_t number) {
+    for (const AssembledTriangle& assembled : assemble(draw_, scene_.state, rules_.error)) {
+      primitive_.number = ++number;
+      primitive_.assembled = assembled;
+      primitive_.polygon.clear();
+      primitive_.pieces.clear();
+      primitive_.figures.clear();
+      primitive_.cut = primitive_.unprojectable = false;
+      primitive_.frontFacing = true;
+      for (size_t i = 0; i < 3; ++i) primitive_.clip[i] = draw_.positions[assembled.vertices[i]];
+      if (culledByDistance()) {
+        ++counts_[Rule::UserDistance];
+        continue;
+      }
+      switch (assembled.count) {
+        case 1: figureMaker_.makePoint(primitive_, input(assembled.vertices[0])); break;
+        case 2: figureMaker_.makeLine(primitive_, input(assembled.vertices[0]), input(assembled.vertices[1])); break;
+        default: makeTriangle();
+      }
+      const bool mayDraw = !primitive_.pieces.empty() || !primitive_.figures.empty() || primitive_.unprojectable;
+      if (mayDraw || (rules_.open && primitive_.polygon.size() >= 3)) visit_(primitive_);
+    }
+    return number;
   }
 
  private:
-  [[nodiscard]] bool isFront(int64_t area) const {
-    const bool counterClockwise = area < 0;  // Vulkan's a > 0
-    const bool clockwise = area > 0;
-    const bool front = state_.frontFace == FrontFace::COUNTER_CLOCKWISE ? counterClockwise : clockwise;
-    return front != (rules_.error == DeliberateError::SwappedWinding && area != 0);
+  [[nodiscard]] ClipInput input(uint32_t vertex) const {
+    const size_t count = volume_.distances;
+    return {draw_.positions[vertex], std::span(draw_.clipDistances).subspan(vertex * size_t{draw_.clipDistanceCount}, count)};
   }
 
-  const State& state_;
+  // [vk:vertexpostproc-clipping] discarded if some cull distance is negative at all vertices.
+  [[nodiscard]] bool culledByDistance() const {
+    if (rules_.error == DeliberateError::CullDistanceIgnored) return false;
+    const AssembledTriangle& assembled = primitive_.assembled;
+    for (uint32_t d = 0; d < draw_.cullDistanceCount; ++d) {
+      const auto negative = [&](uint32_t k) {
+        return draw_.cullDistances[size_t{assembled.vertices[k]} * draw_.cullDistanceCount + d] < 0;
+      };
+      uint32_t count = 0;
+      for (uint32_t k = 0; k < assembled.count; ++k) count += negative(k) ? 1U : 0U;
+      const uint32_t enough = rules_.error == DeliberateError::CullDistanceAny ? 1 : assembled.count;
+      if (count >= enough) return true;
+    }
+    return false;
+  }
+
+  void makeTriangle() {
+    const AssembledTriangle& assembled = primitive_.assembled;
+    const auto code = [&](size_t i) { return outcodes_[assembled.vertices[i]]; };
+    const unsigned any = code(0) | code(1) | code(2);
+    primitive_.cut = any != 0;
+    countUnclippedDepth();
+    if (primitive_.cut) {
+      ++counts_[(any >> kVolumePlanes) != 0 ? Rule::UserDistance : Rule::ViewVolume];
+      if ((code(0) & code(1) & code(2)) != 0) return;
+      if (!cutPolygon()) return;
+    } else {
+      wholePolygon();
+      // Inside the volume w >= |x|, so w = 0 means the origin of clip space, which has no place on the screen.
+      const auto& clip = primitive_.clip;
+      if (clip[0].w <= 0 || clip[1].w <= 0 || clip[2].w <= 0) {
+        primitive_.polygon.clear();
+        primitive_.unprojectable = rules_.open;
+        return;
+      }
+    }
+    pieceMaker_.makePieces(primitive_);
+    if (scene_.state.polygonMode != PolygonMode::FILL && rules_.error != DeliberateError::PolygonModeIgnored) outline();
+  }
+
+  void countUnclippedDepth() {
+    if (volume_.nearAndFar) return;
+    const auto outside = [&](const ClipPosition& p) { return p.z > p.w || p.z < (volume_.nearAtMinusW ? -p.w : 0); };
+    if (std::any_of(primitive_.clip.begin(), primitive_.clip.end(), outside)) ++counts_[Rule::DepthClip];
+  }
+
+  void wholePolygon() {
+    for (size_t i = 0; i < 3; ++i) {
+      RasterVertex vertex = vertices_[primitive_.assembled.vertices[i]];
+      vertex.smoothWeights = vertex.linearWeights = {};
+      vertex.smoothWeights[i] = vertex.linearWeights[i] = 1;
+      primitive_.polygon.push_back(vertex);
+    }
+  }
+
+  bool cutPolygon() {
+    const auto& v = primitive_.assembled.vertices;
+    const std::array<ClipInput, 3> triangle{input(v[0]), input(v[1]), input(v[2])};
+    if (clipTriangle(triangle, rules_.choices.clipArithmetic, volume_, clipped_) == ClipOutcome::Rejected) return false;
+    if (clipped_.size < 3) return false;
+    for (int i = 0; i < clipped_.size; ++i) {
+      if (clipped_.vertices[static_cast<size_t>(i)].position[3] <= 0) return false;
+    }
+    for (int i = 0; i < clipped_.size; ++i) {
+      primitive_.polygon.push_back(stage_.clipped(clipped_.vertices[static_cast<size_t>(i)]));
+    }
+    return true;
+  }
+
+  // [vk:primsrast-polygonmode] edges or corners of what clipping and culling left.
+  void outline() {
+    const bool culled = primitive_.pieces.empty()
+                            ? scene_.state.cullMode != CullMode::NONE && scene_.state.cullMode != CullMode::FRONT
+                            : primitive_.pieces.front().culled;
+    if (!primitive_.pieces.empty()) primitive_.frontFacing = primitive_.pieces.front().frontFacing;
+    primitive_.pieces.clear();
+    if (!culled) {
+      if (!primitive_.cut) {
+        clipped_.size = 3;
+        for (size_t i = 0; i < 3; ++i) {
+          const ClipPosition& p = primitive_.clip[i];
+          clipped_.vertices[i] = ClipVertex{};
+          clipped_.vertices[i].position = {p.x, p.y, p.z, p.w};
+        }
+      }
+      figureMaker_.makeOutline(primitive_, clipped_);
+    }
+    primitive_.polygon.clear();
+  }
+
+  const Scene& scene_;
   const Rules& rules_;
+  const Draw& draw_;
   RuleCounts& counts_;
+  const PrimitiveVisitor& visit_;
+  const uint32_t viewportIndex_;
+  const VertexStage stage_;
+  const ClipVolume volume_;
+  const PieceMaker pieceMaker_;
+  FigureMaker figureMaker_;
+  Primitive primitive_;
+  ClipPolygon clipped_;
+  std::vector<RasterVertex> vertices_;  // of the draw, once each
+  std::vector<unsigned> outcodes_;
 };
 
 }  // namespace
 
 void forEachPrimitive(const Scene& scene, const Rules& rules, RuleCounts& counts, const PrimitiveVisitor& visit) {
-  const VertexStage stage = vertexStage(scene, rules);
-  const PieceMaker pieceMaker(scene.state, rules, counts);
-  const bool negativeOneToOne = scene.state.negativeOneToOne;
-  Primitive primitive;
-  ClipPolygon clipped;
-  std::vector<RasterVertex> vertices;  // of one draw, once each
-  std::vector<unsigned> outcodes;
-  for (const Draw& draw : scene.draws) {
-    vertices.clear();
-    outcodes.clear();
-    for (const ClipPosition& position : draw.positions) {
-      outcodes.push_back(outcode(position, negativeOneToOne, rules.error));
-      vertices.push_back(outcodes.back() == 0 && position.w > 0 ? stage.original(position) : RasterVertex{});
-    }
-    primitive.draw = &draw;
-    for (const AssembledTriangle& assembled : assemble(draw, scene.state, rules.error)) {
-      ++primitive.number;
-      primitive.assembled = assembled;
-      for (size_t i = 0; i < 3; ++i) primitive.clip[i] = draw.positions[assembled.vertices[i]];
-      const auto code = [&](size_t i) { return outcodes[assembled.vertices[i]]; };
-      primitive.polygon.clear();
-      primitive.unprojectable = false;
-      primitive.cut = (code(0) | code(1) | code(2)) != 0;
-      if (!primitive.cut) {
-        for (size_t i = 0; i < 3; ++i) {
-          RasterVertex vertex = vertices[assembled.vertices[i]];
-          vertex.smoothWeights = vertex.linearWeights = {};
-          vertex.smoothWeights[i] = vertex.linearWeights[i] = 1;
-          primitive.polygon.push_back(vertex);
-        }
-        // Inside the volume w >= |x|, so w = 0 means the origin of clip space, which has no place on the screen.
-        primitive.unprojectable = primitive.clip[0].w <= 0 || primitive.clip[1].w <= 0 || primitive.clip[2].w <= 0;
-        if (primitive.unprojectable) {
-          primitive.polygon.clear();
-          primitive.pieces.clear();
-          if (rules.open) visit(primitive);
-          continue;
-        }
-      } else {
-        ++counts[Rule::ViewVolume];
-        if ((code(0) & code(1) & code(2)) != 0) continue;
-        if (clipTriangle(primitive.clip, rules, negativeOneToOne, clipped) == ClipOutcome::Rejected) continue;
-        bool projectable = clipped.size >= 3;
-        for (int i = 0; i < clipped.size; ++i) projectable = projectable && clipped.vertices[static_cast<size_t>(i)].position[3] > 0;
-        if (!projectable) continue;
-        for (int i = 0; i < clipped.size; ++i) {
-          primitive.polygon.push_back(stage.clipped(clipped.vertices[static_cast<size_t>(i)]));
-        }
-      }
-      pieceMaker.makePieces(primitive);
-      if (!primitive.pieces.empty() || rules.open) visit(primitive);
-    }
-  }
+  uint32_t number = 0;
+  for (const Draw& draw : scene.draws) number = DrawGeometry(scene, rules, draw, counts, visit).run(number);
 }
 
 }  // namespace rasterdiff::rasterizer

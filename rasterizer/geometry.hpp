@@ -4,6 +4,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "rasterizer/assembly.hpp"
@@ -37,6 +38,18 @@ struct SetupTriangle {
   bool frontFacing = false, culled = false;
 };
 
+class Shape;
+
+/// A line or a point: the primitive itself, or an edge or corner of a triangle in polygon mode LINE or POINT.
+struct Figure {
+  enum class Kind : uint8_t { Line, Point };
+  Kind kind = Kind::Point;
+  std::shared_ptr<const Shape> shape;
+  RasterVertex a, b;  ///< ends of a line; a point has `a` only. Weights refer to the primitive's vertices.
+  bool optional = false;  ///< the specification leaves open whether it is drawn; nominally it is not
+  float size = 1;     ///< line width or point size, pixels, as the device draws it
+};
+
 struct Primitive {
   uint32_t number = 0;  ///< 1-based over all draws
   const Draw* draw = nullptr;
@@ -45,7 +58,12 @@ struct Primitive {
   bool cut = false;
   bool unprojectable = false;  ///< some w is 0: no polygon, and no sample of the target is certain (open rules)
   std::vector<RasterVertex> polygon;
-  std::vector<SetupTriangle> pieces;
+  std::vector<SetupTriangle> pieces;  ///< filled triangles
+  std::vector<Figure> figures;        ///< lines and points
+  bool frontFacing = true;            ///< of the primitive that figures come from; lines and points are front-facing
+  ViewportTransform viewport;         ///< the one the primitive was drawn through
+  float minDepth = 0, maxDepth = 1;   ///< of that viewport, as given
+  uint32_t viewportIndex = 0;
 };
 
 using PrimitiveVisitor = std::function<void(const Primitive&)>;

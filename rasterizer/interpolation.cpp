@@ -2,209 +2,357 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "rasterizer/fragment/line_plane.hpp"
+#include "rasterizer/lines/line_style.hpp"
+#include "rasterizer/sample_pattern.hpp"
+#include "rasterizer/shape.hpp"
 
 namespace rasterdiff::rasterizer {
 namespace {
-
-constexpr double kHalfUlp = 0x1p-24;  // relative rounding error of float32
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-float downward(double value) {
-  const float rounded = static_cast<float>(value);
-  return rounded > value ? std::nextafter(rounded, -std::numeric_limits<float>::infinity()) : rounded;
-}
-
-float upward(double value) {
-  const float rounded = static_cast<float>(value);
-  return rounded < value ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
-}
-
-Interpolated within(double value, double lo, double hi) {
-  if (std::isnan(lo) || std::isnan(hi)) {
-    lo = -kInfinity;
-    hi = kInfinity;
-  }
-  return {static_cast<float>(value), {downward(lo), upward(hi)}};
-}
 
 double weighted(const std::array<double, 3>& weights, const std::array<double, 3>& values) {
   return weights[0] * values[0] + weights[1] * values[1] + weights[2] * values[2];
 }
 
+double reciprocalWError(const RasterVertex& v) { return std::fabs(v.reciprocalW) * (kHalfUlp + v.relativeWError); }
+
+// |z| of the vertices as far as it is known: what the exponent of a float depth bias comes from.
+Interval largestDepth(const RasterVertex* const* vertices, size_t count) {
+  Interval largest;
+  for (size_t i = 0; i < count; ++i) {
+    const double z = std::fabs(vertices[i]->position.z), error = vertices[i]->depthError;
+    largest = {std::max(largest.value, z), std::max(largest.lo, z - error), std::max(largest.hi, z + error)};
+  }
+  return largest;
+}
+
 }  // namespace
 
-struct PieceValues::Frame3 {
-  double x[3], y[3];
-  double e1x, e1y, e2x, e2y, determinant;
-  double perimeter;   // L1, pixels
-  double deviation;   // pixels
-  double condition;   // 1 + (|e| + |f|) / |det|, how much the determinant's cancellation amplifies roundings
-  double sensitivity; // relative change of the determinant under legal placements
-  double spread;      // bound on Σ |bᵢ| where values are evaluated
-};
+PieceValues::Component PieceValues::componentOf(const Varying& varying, const Rules& rules) {
+  Component component;
+  component.stride = varying.components;
+  switch (varying.interpolation) {
+    case Interpolation::flat: component.kind = Kind::Flat; return component;
+    case Interpolation::noperspective:
+      component.kind = rules.error == DeliberateError::PerspectiveOnLinear ? Kind::Perspective : Kind::Linear;
+      return component;
+    case Interpolation::smooth: break;
+    case Interpolation::centroid: component.location = Location::Centroid; break;
+    case Interpolation::sample: component.location = Location::Sample; break;
+    case Interpolation::offset:
+      component.location = Location::Offset;
+      component.offset = evaluationOffset(varying.offsetX, varying.offsetY, rules);
+      break;
+  }
+  component.kind = rules.error == DeliberateError::MissingPerspective ? Kind::Linear : Kind::Perspective;
+  return component;
+}
 
-PieceValues::PieceValues(const Scene& scene, const SceneNeeds& needs, const Rules& rules) : needs_(needs) {
+PieceValues::PieceValues(const Scene& scene, const SceneNeeds& needs, const Rules& rules, RuleCounts* counts)
+    : needs_(needs), rules_(rules), state_(scene.state), counts_(counts),
+      location_(samplePattern(scene.target.samples, rules).value_or(std::vector<SubpixelPosition>{}), rules),
+      builtIns_(scene, rules, counts), depthStage_(scene, rules, counts) {
   if (scene.draws.empty()) return;
   const bool multisampled = scene.target.samples > 1;
-  areaFreedom_ = rules.open && multisampled;
-  outsidePositions_ = multisampled;
+  bool atOffset = false;
   for (size_t v = 0; v < scene.draws[0].varyings.size(); ++v) {
     const Varying& varying = scene.draws[0].varyings[v];
-    Kind kind = Kind::Flat;
-    if (varying.interpolation == Interpolation::smooth) {
-      kind = rules.error == DeliberateError::MissingPerspective ? Kind::Linear : Kind::Perspective;
-    } else if (varying.interpolation == Interpolation::noperspective) {
-      kind = rules.error == DeliberateError::PerspectiveOnLinear ? Kind::Perspective : Kind::Linear;
+    Component component = componentOf(varying, rules);
+    component.varying = v;
+    for (uint32_t c = 0; c < varying.components; ++c) {
+      component.component = c;
+      components_.push_back(component);
     }
-    anyPerspective_ = anyPerspective_ || kind == Kind::Perspective;
-    for (uint32_t c = 0; c < varying.components; ++c) components_.push_back({v, c, varying.components, kind, {}, 0});
+    anyPerspective_ = anyPerspective_ || component.kind == Kind::Perspective;
+    perSample_ = perSample_ || (multisampled && component.location == Location::Sample);
+    needsMask_ = needsMask_ || (multisampled && component.location == Location::Centroid);
+    atOffset = atOffset || component.location == Location::Offset;
+  }
+  perSample_ = perSample_ || builtIns_.perSample();
+  needsMask_ = needsMask_ || builtIns_.needsMask();
+  needsW_ = anyPerspective_ || builtIns_.observe(BuiltIn::FragCoord);
+  needsDepth_ = needs.depth || builtIns_.observe(BuiltIn::FragCoord);
+  // Undecorated inputs of a multisampled fragment may be evaluated outside the triangle, within its pixel.
+  outside_ = multisampled || atOffset ? 1 : 0;
+  planes_.inputs.resize(components_.size());
+  constants_.resize(components_.size());
+}
+
+bool PieceValues::setUpCurrent(const Primitive& primitive, const SetupTriangle* piece, const Figure* figure) {
+  primitive_ = &primitive;
+  piece_ = piece;
+  figure_ = figure;
+  atPoint_ = figure != nullptr && figure->kind == Figure::Kind::Point;
+  centreDepth_ = false;
+  alternative_.reset();
+  return needsDepth_ || componentCount() > 0;
+}
+
+template <size_t kCorners, class Make>
+void PieceValues::fillPlanes(const std::array<const RasterVertex*, kCorners>& vertices, ValuePlanes& planes,
+                             const Make& make) {
+  std::array<double, kCorners> values{}, q{};
+  double inputError = 0;
+  bool made = false;
+  for (size_t i = 0; i < kCorners; ++i) {
+    q[i] = vertices[i]->reciprocalW;
+    inputError = std::max(inputError, reciprocalWError(*vertices[i]));
+    made = made || vertices[i]->made;
+  }
+  if (needsW_) planes.reciprocalW = make(q, inputError, outside_);
+  if (needsDepth_) {
+    inputError = 0;
+    for (size_t i = 0; i < kCorners; ++i) {
+      values[i] = vertices[i]->position.z;
+      inputError = std::max(inputError, vertices[i]->depthError);
+    }
+    planes.depth = make(values, inputError, needs_.depth && !builtIns_.any() ? 0 : outside_);
+  }
+  const std::array<uint32_t, 3>& numbers = primitive_->assembled.vertices;
+  for (size_t c = 0; c < components_.size(); ++c) {
+    const Component& component = components_[c];
+    if (component.kind == Kind::Flat) continue;
+    const std::vector<float>& all = primitive_->draw->varyings[component.varying].values;
+    const auto valueOf = [&](uint32_t vertex) { return all[size_t{vertex} * component.stride + component.component]; };
+    const std::array<double, 3> corners{valueOf(numbers[0]), valueOf(numbers[1]), valueOf(numbers[2])};
+    const double largest = std::max({std::fabs(corners[0]), std::fabs(corners[1]), std::fabs(corners[2])});
+    const bool correct = component.kind == Kind::Perspective;
+    inputError = 0;
+    for (size_t i = 0; i < kCorners; ++i) {
+      const RasterVertex& v = *vertices[i];
+      values[i] = weighted(correct ? v.smoothWeights : v.linearWeights, corners) * (correct ? q[i] : 1);
+      // f / w: two roundings; a lerped attribute: 6 more of the largest corner, as for clipped positions.
+      const double scale = correct ? std::fabs(q[i]) : 1;
+      inputError = std::max(inputError, std::fabs(values[i]) * (2 * kHalfUlp + (correct ? v.relativeWError : 0)) +
+                                            (made ? 6 * kHalfUlp * largest * scale : 0));
+    }
+    planes.inputs[c] = make(values, inputError, outside_);
   }
 }
 
-LinearFunction PieceValues::linear(const Frame3& f, const std::array<double, 3>& a, double inputError) const {
-  LinearFunction result;
-  const double d1 = a[1] - a[0], d2 = a[2] - a[0];
-  const double largest = std::max({std::fabs(a[0]), std::fabs(a[1]), std::fabs(a[2])});
-  result.value = a[0];
-  result.x0 = f.x[0];
-  result.y0 = f.y[0];
-  if (f.determinant == 0 || f.sensitivity >= 0.5) {
-    // A sliver whose area a legal placement can halve or lose: its plane is not determined.
-    if (f.determinant != 0) {
-      result.dx = (d1 * f.e2y - d2 * f.e1y) / f.determinant;
-      result.dy = (d2 * f.e1x - d1 * f.e2x) / f.determinant;
+void PieceValues::setUpFlat() {
+  for (size_t c = 0; c < components_.size(); ++c) {
+    const Component& component = components_[c];
+    if (component.kind != Kind::Flat) continue;
+    const AssembledTriangle& assembled = primitive_->assembled;
+    uint32_t vertex = assembled.provoking;
+    if (assembled.count == 2 && rules_.error == DeliberateError::FlatFromWrongLineEnd) {
+      vertex = vertex == assembled.vertices[0] ? assembled.vertices[1] : assembled.vertices[0];
     }
-    result.constantRadius = d1 == 0 && d2 == 0 ? 4 * kHalfUlp * largest * f.condition : kInfinity;
-    return result;
+    constants_[c] = primitive_->draw->varyings[component.varying].values[size_t{vertex} * component.stride + component.component];
   }
-  const double area = std::fabs(f.determinant);
-  result.dx = (d1 * f.e2y - d2 * f.e1y) / f.determinant;
-  result.dy = (d2 * f.e1x - d1 * f.e2x) / f.determinant;
-  // Roundings of float32, each 2^-24 relative. Gradient: differences 2, product 1, sum 1, 1/det 1, product 1, and the
-  // determinant's own 3 amplified by its condition. Anchor at the origin and final sum: 3 products and sums each.
-  const double gradientX = (std::fabs(d1 * f.e2y) + std::fabs(d2 * f.e1y)) / area;
-  const double gradientY = (std::fabs(d2 * f.e1x) + std::fabs(d1 * f.e2x)) / area;
-  const double roundings = 6 + 3 * f.condition + 6;
-  result.radiusPerX = kHalfUlp * roundings * gradientX;
-  result.radiusPerY = kHalfUlp * roundings * gradientY;
-  // Placement: the value at a point moves by Σ |bᵢ| δ |gradient|; the gradient itself may change with the determinant.
-  const double change = 2 * f.deviation * (std::fabs(d1) + std::fabs(d2)) / area;
-  const double steepest = (std::fabs(result.dx) + std::fabs(result.dy) + 2 * change) / (1 - f.sensitivity);
-  result.constantRadius = f.spread * (3 * kHalfUlp * largest + inputError + f.deviation * steepest);
-  result.farX = std::max({std::fabs(f.x[0]), std::fabs(f.x[1]), std::fabs(f.x[2])});
-  result.farY = std::max({std::fabs(f.y[0]), std::fabs(f.y[1]), std::fabs(f.y[2])});
-  return result;
 }
 
 void PieceValues::setUp(const Primitive& primitive, const SetupTriangle& piece) {
-  if (!needs_.depth && components_.empty()) return;
-  const RasterVertex* v[3];
-  Frame3 f{};
-  for (size_t i = 0; i < 3; ++i) {
-    v[i] = &primitive.polygon[piece.corner[i]];
-    f.x[i] = v[i]->position.x;
-    f.y[i] = v[i]->position.y;
-    f.deviation = std::max(f.deviation, v[i]->deviation);
+  if (!setUpCurrent(primitive, &piece, nullptr)) return;
+  const std::array<const RasterVertex*, 3> v{&primitive.polygon[piece.corner[0]], &primitive.polygon[piece.corner[1]],
+                                             &primitive.polygon[piece.corner[2]]};
+  const TrianglePlane plane({v[0]->position, v[1]->position, v[2]->position},
+                            std::max({v[0]->deviation, v[1]->deviation, v[2]->deviation}));
+  fillPlanes(v, planes_, [&plane](const std::array<double, 3>& values, double inputError, double outside) {
+    return plane.through(values, inputError, outside);
+  });
+  setUpFlat();
+  builtIns_.setUp(primitive, piece);
+  if (depthStage_.isPlain()) return;
+  depthStage_.setUp(primitive);
+  if (!depthStage_.needsBias()) return;
+  BiasInputs inputs{plane.gradient({v[0]->position.z, v[1]->position.z, v[2]->position.z},
+                                   std::max({v[0]->depthError, v[1]->depthError, v[2]->depthError})),
+                    largestDepth(v.data(), 3)};
+  if (primitive.cut && rules_.open) {
+    // The bias of a cut polygon is one number; of its pieces, if a device treats them as triangles, one each.
+    for (const RasterVertex& vertex : primitive.polygon) {
+      inputs.largestDepth.hi = std::max(inputs.largestDepth.hi, std::fabs(vertex.position.z) + vertex.depthError);
+    }
   }
-  f.e1x = f.x[1] - f.x[0];
-  f.e1y = f.y[1] - f.y[0];
-  f.e2x = f.x[2] - f.x[0];
-  f.e2y = f.y[2] - f.y[0];
-  f.determinant = f.e1x * f.e2y - f.e1y * f.e2x;
-  const double area = std::fabs(f.determinant);
-  f.perimeter = std::fabs(f.e1x) + std::fabs(f.e1y) + std::fabs(f.e2x) + std::fabs(f.e2y) +
-                std::fabs(f.e2x - f.e1x) + std::fabs(f.e2y - f.e1y);
-  f.condition = 1 + (std::fabs(f.e1x * f.e2y) + std::fabs(f.e1y * f.e2x)) / area;
-  f.sensitivity = (f.deviation * f.perimeter + 6 * f.deviation * f.deviation) / area;
-  const auto spreadAt = [&](double outside) { return 1 + 2 * (f.deviation + 0x1p-7 + outside) * f.perimeter / area; };
+  depthStage_.setBias(inputs);
+}
 
-  if (needs_.depth) {
-    f.spread = spreadAt(0);
-    const double inputError = std::max({v[0]->depthError, v[1]->depthError, v[2]->depthError});
-    depth_ = linear(f, {v[0]->position.z, v[1]->position.z, v[2]->position.z}, inputError);
+void PieceValues::setUp(const Primitive& primitive, const Figure& figure) {
+  if (!setUpCurrent(primitive, nullptr, &figure)) return;
+  if (figure.kind == Figure::Kind::Line) {
+    setUpLine(figure);
+  } else {
+    setUpPoint(figure.a);
   }
-  if (components_.empty()) return;
-  // Undecorated inputs of a multisampled fragment may be evaluated outside the triangle, within its pixel.
-  f.spread = spreadAt(outsidePositions_ ? 1 : 0);
-  const std::array<double, 3> q{v[0]->reciprocalW, v[1]->reciprocalW, v[2]->reciprocalW};
-  const bool made = v[0]->made || v[1]->made || v[2]->made;
-  if (anyPerspective_) {
-    double inputError = 0;
-    for (size_t i = 0; i < 3; ++i) inputError = std::max(inputError, std::fabs(q[i]) * (kHalfUlp + v[i]->relativeWError));
-    reciprocalW_ = linear(f, q, inputError);
-  }
-  for (Component& component : components_) {
-    const std::vector<float>& values = primitive.draw->varyings[component.varying].values;
-    const auto valueOf = [&](uint32_t vertex) { return values[size_t{vertex} * component.stride + component.component]; };
-    if (component.kind == Kind::Flat) {
-      component.flat = valueOf(primitive.assembled.provoking);
-      continue;
-    }
-    const std::array<double, 3> corners{valueOf(primitive.assembled.vertices[0]), valueOf(primitive.assembled.vertices[1]),
-                                        valueOf(primitive.assembled.vertices[2])};
+  setUpFlat();
+  builtIns_.setUp(primitive, figure);
+  if (depthStage_.isPlain()) return;
+  depthStage_.setUp(primitive);
+  if (depthStage_.needsBias()) setFigureBias(figure);
+}
+
+// [vk:shaders-interpolation-decorations] nothing is interpolated in a point.
+void PieceValues::setUpPoint(const RasterVertex& vertex) {
+  planes_.depth = {};
+  planes_.depth.value = vertex.position.z;
+  planes_.depth.constantRadius = vertex.depthError;
+  planes_.reciprocalW = {};
+  planes_.reciprocalW.value = vertex.reciprocalW;
+  planes_.reciprocalW.constantRadius = reciprocalWError(vertex);
+  const std::array<uint32_t, 3>& numbers = primitive_->assembled.vertices;
+  for (size_t c = 0; c < components_.size(); ++c) {
+    const Component& component = components_[c];
+    if (component.kind == Kind::Flat) continue;
+    const std::vector<float>& all = primitive_->draw->varyings[component.varying].values;
+    const auto valueOf = [&](size_t i) { return double{all[size_t{numbers[i]} * component.stride + component.component]}; };
+    const std::array<double, 3> corners{valueOf(0), valueOf(1), valueOf(2)};
+    const std::array<double, 3>& weights = component.kind == Kind::Perspective ? vertex.smoothWeights : vertex.linearWeights;
+    planes_.inputs[c] = {};
+    planes_.inputs[c].value = weighted(weights, corners);
+    // A corner that clipping made has lerped attributes.
     const double largest = std::max({std::fabs(corners[0]), std::fabs(corners[1]), std::fabs(corners[2])});
-    std::array<double, 3> a{};
-    double inputError = 0;
-    for (size_t i = 0; i < 3; ++i) {
-      const bool perspectiveCorrect = component.kind == Kind::Perspective;
-      a[i] = weighted(perspectiveCorrect ? v[i]->smoothWeights : v[i]->linearWeights, corners);
-      if (perspectiveCorrect) a[i] *= q[i];
-      // f / w: two roundings; a lerped attribute: 6 more of the largest corner, as for clipped positions.
-      const double scale = perspectiveCorrect ? std::fabs(q[i]) : 1;
-      inputError = std::max(inputError, std::fabs(a[i]) * (2 * kHalfUlp + (perspectiveCorrect ? v[i]->relativeWError : 0)) +
-                                            (made ? 6 * kHalfUlp * largest * scale : 0));
-    }
-    component.function = linear(f, a, inputError);
+    planes_.inputs[c].constantRadius = vertex.made ? 8 * kHalfUlp * largest : 0;
+    constants_[c] = static_cast<float>(planes_.inputs[c].value);
   }
+}
+
+void PieceValues::setUpLine(const Figure& figure) {
+  LineStyle style;
+  style.mode = state_.lineRasterizationMode;
+  const LineKind kind = lineKind(style, rules_.limits);
+  const std::array<const RasterVertex*, 2> ends{&figure.a, &figure.b};
+  const auto fill = [&](ValuePlanes& planes, const RasterVertex& a, const RasterVertex& b, LineParameter parameter) {
+    const LinePlane plane(a, b, figure.size, parameter);
+    fillPlanes(ends, planes, [&plane](const std::array<double, 2>& values, double inputError, double) {
+      return plane.through(values[0], values[1], inputError);
+    });
+  };
+  if (rules_.error == DeliberateError::LineAttributesByX) {
+    RasterVertex level = figure.b;
+    level.position.y = figure.a.position.y;
+    fill(planes_, figure.a, level, LineParameter::Projection);
+    return;
+  }
+  // [choice:line-interpolation] nominally by projection, except for parallelograms, whose ends are level.
+  const bool parallelogram = kind == LineKind::Parallelogram;
+  fill(planes_, figure.a, figure.b, parallelogram ? LineParameter::MajorAxis : LineParameter::Projection);
+  if (!rules_.open) return;
+  const bool wideBresenham = kind == LineKind::Bresenham && figure.size >= 1.5F;
+  if (parallelogram || wideBresenham) {
+    alternative_.emplace();
+    alternative_->inputs.resize(components_.size());
+    fill(*alternative_, figure.a, figure.b, parallelogram ? LineParameter::Projection : LineParameter::Replicated);
+  }
+  // [vk:primsrast-lines-bresenham] samples may be treated as being at the centre.
+  centreDepth_ = kind != LineKind::Rectangle && location_.samples() > 1;
+}
+
+void PieceValues::setFigureBias(const Figure& figure) {
+  const bool line = figure.kind == Figure::Kind::Line;
+  std::vector<const RasterVertex*> vertices;
+  for (const Figure& each : primitive_->figures) {
+    vertices.push_back(&each.a);
+    if (each.kind == Figure::Kind::Line) vertices.push_back(&each.b);
+  }
+  BiasInputs inputs{{}, largestDepth(vertices.data(), vertices.size())};
+  if (primitive_->assembled.count == 3) {
+    // The slope is that of the triangle that the figures outline; clipping does not change its plane.
+    std::array<FramebufferPosition, 3> corners;
+    for (size_t i = 0; i < 3; ++i) {
+      const ClipPosition& p = primitive_->clip[i];
+      const double clip[4] = {p.x, p.y, p.z, p.w};
+      corners[i] = toFramebuffer(clip, primitive_->viewport);
+    }
+    double deviation = 0, depthError = 0;
+    for (const RasterVertex* vertex : vertices) {
+      deviation = std::max(deviation, vertex->deviation);
+      depthError = std::max(depthError, vertex->depthError);
+    }
+    inputs.slope = TrianglePlane(corners, deviation).gradient({corners[0].z, corners[1].z, corners[2].z}, depthError);
+    if (!std::isfinite(inputs.slope.dx) || !std::isfinite(inputs.slope.dy)) inputs.slope = {0, 0, kUnbounded};
+  } else if (line) {
+    const LinePlane plane(figure.a, figure.b, figure.size, LineParameter::Projection);
+    const double rise = figure.b.position.z - figure.a.position.z;
+    inputs.slope = {rise * plane.slopeX(), rise * plane.slopeY(), std::fabs(planes_.depth.dx) + std::fabs(planes_.depth.dy)};
+  }
+  depthStage_.setFigureBias(*primitive_, inputs);
+}
+
+Interval PieceValues::inputOver(size_t component, const EvaluationRegion& region) const {
+  const auto over = [&](const ValuePlanes& planes) {
+    if (atPoint_ || components_[component].kind == Kind::Linear) return linearOver(planes.inputs[component], region);
+    return quotientOver(planes.inputs[component], planes.reciprocalW, region);
+  };
+  const Interval value = over(planes_);
+  return alternative_ ? hullOf(value, over(*alternative_)) : value;
+}
+
+Interval PieceValues::depthOver(const EvaluationRegion& region) const {
+  const Interval value = linearOver(planes_.depth, region);
+  return alternative_ ? hullOf(value, linearOver(alternative_->depth, region)) : value;
 }
 
 Interpolated PieceValues::depth(double x, double y) const {
-  const double value = depth_.at(x, y);
-  const double radius = depth_.radius(x, y) + kHalfUlp * std::fabs(value);
-  return within(value, value - radius, value + radius);
+  const Spot centre{std::floor(x) + 0.5, std::floor(y) + 0.5};
+  return depthStage_.stored(depthOver({{x, y}, centreDepth_ ? std::span(&centre, 1) : std::span<const Spot>{}}));
 }
 
-Interpolated PieceValues::perspective(const Component& component, double x, double y) const {
-  const double denominator = reciprocalW_.at(x, y);
-  const double value = component.function.at(x, y) / denominator;
-  const double weight = std::fabs(denominator);
-  const double radiusN = component.function.radius(x, y), radiusD = reciprocalW_.radius(x, y);
-  if (!(weight > radiusD)) return within(value, -kInfinity, kInfinity);
-  double lo = value, hi = value, smallestWeight = weight;
-  if (areaFreedom_) {
-    for (int corner = 0; corner < 4; ++corner) {
-      const double cx = x + ((corner & 1) != 0 ? 0.5 : -0.5), cy = y + ((corner & 2) != 0 ? 0.5 : -0.5);
-      const double d = reciprocalW_.at(cx, cy);
-      if ((d > 0) != (denominator > 0) || !(std::fabs(d) > radiusD)) return within(value, -kInfinity, kInfinity);
-      const double v = component.function.at(cx, cy) / d;
-      lo = std::min(lo, v);
-      hi = std::max(hi, v);
-      smallestWeight = std::min(smallestWeight, std::fabs(d));
+EvaluationRegion PieceValues::regionOf(const Component& component, const FragmentPlace& place) {
+  switch (component.location) {
+    case Location::Centre: break;
+    case Location::Sample: count(Rule::AttributeLocation); return location_.atSample(place);
+    case Location::Offset: count(Rule::InterpolationOffset); return location_.at(place, component.offset, storage_);
+    case Location::Centroid: {
+      const EvaluationRegion region = location_.centroid(place, *primitive_, storage_);
+      const Spot centre = centreOf(place);
+      if (region.nominal.x != centre.x || region.nominal.y != centre.y) count(Rule::AttributeLocation);
+      return region;
     }
   }
-  const double magnitude = std::max(std::fabs(lo), std::fabs(hi));
-  // The quotient's first-order bound, and a reciprocal, a product and its roundings.
-  const double radius = (radiusN + magnitude * radiusD) / (smallestWeight - radiusD) + 4 * kHalfUlp * magnitude;
-  return within(value, lo - radius, hi + radius);
+  return location_.around(centreOf(place), storage_);
 }
 
-Interpolated PieceValues::screenLinear(const Component& component, double x, double y) const {
-  const LinearFunction& f = component.function;
-  const double value = f.at(x, y);
-  const double area = areaFreedom_ ? 0.5 * (std::fabs(f.dx) + std::fabs(f.dy)) : 0;
-  const double radius = f.radius(x, y) + area + kHalfUlp * std::fabs(value);
-  return within(value, value - radius, value + radius);
+void PieceValues::fragment(const FragmentPlace& place, Interpolated* out) {
+  const EvaluationRegion centre = location_.around(centreOf(place), centreStorage_);
+  for (size_t c = 0; c < components_.size(); ++c) {
+    const Component& component = components_[c];
+    if (component.kind == Kind::Flat || (atPoint_ && !figure_->a.made)) {
+      *out++ = exactly(constants_[c]);
+    } else {
+      *out++ = toFloat(inputOver(c, component.location == Location::Centre ? centre : regionOf(component, place)));
+    }
+  }
+  if (perSample_) count(Rule::SampleShading);
+  if (!builtIns_.any()) return;
+  Interval depth, reciprocalW;
+  if (builtIns_.observe(BuiltIn::FragCoord)) {
+    const EvaluationRegion region = builtIns_.fragCoordRegion(place, location_, storage_);
+    depth = depthStage_.shown(depthOver(region));
+    reciprocalW = linearOver(planes_.reciprocalW, region);
+    if (alternative_) reciprocalW = hullOf(reciprocalW, linearOver(alternative_->reciprocalW, region));
+  }
+  builtIns_.evaluate(place, location_, depth, reciprocalW, out);
 }
 
 void PieceValues::varyings(double x, double y, Interpolated* out) const {
-  for (const Component& component : components_) {
-    switch (component.kind) {
-      case Kind::Flat: *out++ = {component.flat, {component.flat, component.flat}}; break;
-      case Kind::Linear: *out++ = screenLinear(component, x, y); break;
-      case Kind::Perspective: *out++ = perspective(component, x, y); break;
-    }
+  RegionStorage storage;
+  const EvaluationRegion region = location_.around({x, y}, storage);
+  for (size_t c = 0; c < components_.size(); ++c) {
+    *out++ = components_[c].kind == Kind::Flat ? exactly(constants_[c]) : toFloat(inputOver(c, region));
   }
+}
+
+uint32_t PieceValues::coveredSamples(int32_t x, int32_t y) const {
+  uint32_t mask = 0;
+  for (uint32_t s = 0; s < location_.samples(); ++s) {
+    const int64_t px = int64_t{x} * kSubpixelOne + location_.pattern()[s].x;
+    const int64_t py = int64_t{y} * kSubpixelOne + location_.pattern()[s].y;
+    bool covered = false, tie = false;
+    if (figure_ != nullptr) {
+      covered = figure_->shape->covers(px, py, tie);
+    } else {
+      covered = std::all_of(piece_->edges.begin(), piece_->edges.end(), [&](const EdgeFunction& e) { return e.covers(px, py); });
+    }
+    if (covered) mask |= 1U << s;
+  }
+  return mask;
+}
+
+void PieceValues::count(Rule rule) const {
+  if (counts_ != nullptr) ++(*counts_)[rule];
 }
 
 }  // namespace rasterdiff::rasterizer

@@ -1,69 +1,91 @@
-// Depth and varyings inside a triangle: plane equations in doubles, and the interval of legal float32 results.
+// Depth, varyings and built-ins of a fragment: nominal values in doubles, and the interval of legal float32 results.
 //
-// A value is v = N / D with N = Σ bᵢ fᵢ / wᵢ and D = Σ bᵢ / wᵢ, both linear on the screen (lecture "Perspective-correct
-// interpolation"; [vk:primsrast-polygon-barycentrics]); noperspective and depth are linear themselves.
 // The specification states no precision. The interval around the exact value is
 //   - where the vertices may be: their deviation times the gradient, with the gradient's own change;
 //   - float32 evaluation of a plane equation anchored at the framebuffer's origin, by counting roundings;
-//   - under open rules, anywhere in the fragment's area for undecorated inputs of multisampled targets.
+//   - where in the fragment an input may be evaluated, and by which formula (fragment/, depth/).
 #pragma once
 
 #include <vector>
 
-#include "rasterizer/geometry.hpp"
-#include "scene/frame.hpp"
+#include "rasterizer/depth/depth_stage.hpp"
+#include "rasterizer/fragment/built_in_values.hpp"
 #include "scene/needs.hpp"
 
 namespace rasterdiff::rasterizer {
 
-/// value + dx (x - x0) + dy (y - y0), pixels; radius(x, y) bounds the deviation of a legal float32 evaluation there.
-struct LinearFunction {
-  double value = 0, dx = 0, dy = 0, x0 = 0, y0 = 0;
-  double constantRadius = 0, radiusPerX = 0, radiusPerY = 0, farX = 0, farY = 0;
-  [[nodiscard]] double at(double x, double y) const { return value + dx * (x - x0) + dy * (y - y0); }
-  [[nodiscard]] double radius(double x, double y) const {
-    return constantRadius + radiusPerX * (std::max(farX, x) + 1) + radiusPerY * (std::max(farY, y) + 1);
-  }
-};
-
-struct Interpolated {
-  float value = 0;
-  Bounds bounds;
-};
-
-/// The planes of one piece of a primitive. Set up once a triangle, and only for what the scene needs.
+/// The planes of one triangle, line or point. Set up once for each, and only for what the scene needs.
 class PieceValues {
  public:
-  PieceValues(const Scene& scene, const SceneNeeds& needs, const Rules& rules);
+  /// `counts`, if given, must outlive this object.
+  PieceValues(const Scene& scene, const SceneNeeds& needs, const Rules& rules, RuleCounts* counts = nullptr);
 
+  /// The primitive has to live until the last evaluation.
   void setUp(const Primitive& primitive, const SetupTriangle& piece);
+  /// Values along a line, or of a point.
+  void setUp(const Primitive& primitive, const Figure& figure);
 
-  /// Depth at a point in pixels.
+  /// Depth at a sample's place in pixels, as the depth test sees it: biased, clamped, in the attachment's format.
   [[nodiscard]] Interpolated depth(double x, double y) const;
-  /// All components of all varyings for the fragment whose centre is (x, y); `out` has componentCount() elements.
+  /// All components of all varyings, then of all built-ins, of one sample of a fragment; `out` has componentCount()
+  /// elements.
+  void fragment(const FragmentPlace& place, Interpolated* out);
+  /// All components of all varyings evaluated at one point, whatever their interpolation says of places.
   void varyings(double x, double y, Interpolated* out) const;
-  [[nodiscard]] size_t componentCount() const { return components_.size(); }
+
+  [[nodiscard]] size_t componentCount() const { return components_.size() + builtIns_.componentCount(); }
+  /// Values differ between the samples of a fragment: otherwise one evaluation serves them all.
+  [[nodiscard]] bool perSample() const { return perSample_; }
+  /// fragment() reads FragmentPlace::covered.
+  [[nodiscard]] bool needsMask() const { return needsMask_; }
+  /// Mask of the samples that the current triangle or figure nominally covers at a pixel, without scissor and masks.
+  [[nodiscard]] uint32_t coveredSamples(int32_t x, int32_t y) const;
 
  private:
   enum class Kind : uint8_t { Perspective, Linear, Flat };
+  enum class Location : uint8_t { Centre, Centroid, Sample, Offset };
   struct Component {
     size_t varying = 0;
     uint32_t component = 0, stride = 0;
     Kind kind = Kind::Linear;
-    LinearFunction function;
-    float flat = 0;
+    Location location = Location::Centre;
+    EvaluationOffset offset;
   };
-  struct Frame3;  // the triangle's geometry, shared by all its linear functions
-  [[nodiscard]] LinearFunction linear(const Frame3& frame, const std::array<double, 3>& values, double inputError) const;
-  [[nodiscard]] Interpolated perspective(const Component& component, double x, double y) const;
-  [[nodiscard]] Interpolated screenLinear(const Component& component, double x, double y) const;
+
+  [[nodiscard]] static Component componentOf(const Varying& varying, const Rules& rules);
+  [[nodiscard]] bool setUpCurrent(const Primitive& primitive, const SetupTriangle* piece, const Figure* figure);
+  /// Fills `planes` with what `make(values at the corners or ends, inputError, outside)` makes of each value.
+  template <size_t kCorners, class Make>
+  void fillPlanes(const std::array<const RasterVertex*, kCorners>& vertices, ValuePlanes& planes, const Make& make);
+  void setUpFlat();
+  void setUpPoint(const RasterVertex& vertex);
+  void setUpLine(const Figure& figure);
+  void setFigureBias(const Figure& figure);
+  [[nodiscard]] Interval inputOver(size_t component, const EvaluationRegion& region) const;
+  [[nodiscard]] Interval depthOver(const EvaluationRegion& region) const;
+  [[nodiscard]] EvaluationRegion regionOf(const Component& component, const FragmentPlace& place);
+  void count(Rule rule) const;
 
   const SceneNeeds needs_;
-  bool areaFreedom_ = false;   ///< [choice:attribute-position] open: undecorated inputs anywhere in the pixel
-  bool anyPerspective_ = false;
-  bool outsidePositions_ = false;
-  LinearFunction depth_, reciprocalW_;
+  const Rules rules_;
+  const State state_;
+  RuleCounts* const counts_;
+  AttributeLocation location_;
+  BuiltInValues builtIns_;
+  DepthStage depthStage_;
+  bool anyPerspective_ = false, perSample_ = false, needsMask_ = false;
+  bool needsW_ = false, needsDepth_ = false;
+  double outside_ = 0;  ///< pixels outside of a triangle where its planes may be evaluated
+
   std::vector<Component> components_;
+  ValuePlanes planes_;
+  std::vector<float> constants_;           ///< of flat components, and of all components at a point
+  std::optional<ValuePlanes> alternative_; ///< another legal parameter of a line (open rules)
+  bool atPoint_ = false, centreDepth_ = false;
+  const Primitive* primitive_ = nullptr;
+  const SetupTriangle* piece_ = nullptr;
+  const Figure* figure_ = nullptr;
+  RegionStorage centreStorage_, storage_;
 };
 
 }  // namespace rasterdiff::rasterizer

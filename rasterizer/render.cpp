@@ -6,6 +6,7 @@
 #include "rasterizer/frame_writer.hpp"
 #include "rasterizer/freedom_band.hpp"
 #include "rasterizer/sample_pattern.hpp"
+#include "rasterizer/shape.hpp"
 #include "rasterizer/target_area.hpp"
 
 namespace rasterdiff::rasterizer {
@@ -17,22 +18,27 @@ class Renderer {
       : scene_(scene),
         counts_(counts),
         pattern_(pattern),
-        area_(targetArea(scene, rules.error)),
         whole_(wholeTarget(scene)),
-        values_(scene, needsOf(scene), rules),
+        values_(scene, needsOf(scene), rules, &counts),
         writer_(scene, needsOf(scene), rules, std::move(pattern), counts),
         open_(rules.open),
-        spans_(pattern_.size()) {}
+        spans_(pattern_.size()) {
+    for (uint32_t index = 0; index <= scene.furtherViewports.size(); ++index) {
+      areas_.push_back(targetArea(scene, index, rules.error));
+    }
+  }
 
   void draw(const Primitive& primitive) {
+    area_ = areas_[primitive.viewportIndex];
     for (const SetupTriangle& piece : primitive.pieces) {
       if (piece.culled) continue;
       values_.setUp(primitive, piece);
       drawPiece(primitive, piece);
       countInterpolation(primitive);
     }
+    for (const Figure& figure : primitive.figures) drawFigure(primitive, figure);
     if (open_ && primitive.unprojectable) markEverything();
-    if (open_ && !primitive.unprojectable) markBand(primitive);
+    if (open_ && !primitive.polygon.empty()) markBand(primitive);
   }
 
   Frame take() { return writer_.take(); }
@@ -65,6 +71,45 @@ class Renderer {
       if (unequal) ++counts_[Rule::SamplePattern];
       if (some) writer_.writeRow(primitive.number, values_, y, spans_);
     }
+  }
+
+  // Lines and points: every sample of the shape's rows is decided on its own.
+  void drawFigure(const Primitive& primitive, const Figure& figure) {
+    values_.setUp(primitive, figure);
+    const Shape::Rows rows = figure.shape->rows();
+    const int32_t first = std::max(rows.first, whole_.top), last = std::min(rows.last, whole_.bottom - 1);
+    for (int32_t y = first; y <= last; ++y) {
+      RowSpan columns = figure.shape->columns(y);
+      columns = {std::max(columns.begin, whole_.left), std::min(columns.end, whole_.right)};
+      for (int32_t x = columns.begin; x < columns.end; ++x) drawFigurePixel(primitive, figure, x, y);
+    }
+    countInterpolation(primitive);
+  }
+
+  void drawFigurePixel(const Primitive& primitive, const Figure& figure, int32_t x, int32_t y) {
+    const bool inside = area_.contains(x, y);
+    bool some = false;
+    for (uint32_t s = 0; s < pattern_.size(); ++s) {
+      const int64_t px = int64_t{x} * kSubpixelOne + pattern_[s].x, py = int64_t{y} * kSubpixelOne + pattern_[s].y;
+      bool tie = false;
+      const bool covered = !figure.optional && figure.shape->covers(px, py, tie);
+      if (tie) ++counts_[Rule::TieBreak];
+      if (covered) ++counts_[inside ? figureRule(figure) : Rule::Scissor];
+      spans_[s] = covered && inside ? RowSpan{x, x + 1} : RowSpan{};
+      some = some || !spans_[s].empty();
+      if (open_ && inside) writer_.markCoverage(x, y, s, legalCoverage(figure, px, py));
+    }
+    if (some) writer_.writeRow(primitive.number, values_, y, spans_);
+  }
+
+  [[nodiscard]] static Coverage legalCoverage(const Figure& figure, int64_t px, int64_t py) {
+    const Coverage coverage = figure.shape->classify(px, py).coverage;
+    return figure.optional && coverage == Coverage::In ? Coverage::Either : coverage;
+  }
+
+  [[nodiscard]] Rule figureRule(const Figure& figure) const {
+    if (figure.kind == Figure::Kind::Point) return Rule::PointSquare;
+    return scene_.state.lineRasterizationMode == LineRasterizationMode::BRESENHAM ? Rule::LineBresenham : Rule::LineRectangle;
   }
 
   void countInterpolation(const Primitive& primitive) {
@@ -113,7 +158,9 @@ class Renderer {
   const Scene& scene_;
   RuleCounts& counts_;
   const std::vector<SubpixelPosition> pattern_;
-  const PixelArea area_, whole_;
+  const PixelArea whole_;
+  std::vector<PixelArea> areas_;  // by viewport
+  PixelArea area_;                // of the primitive being drawn
   PieceValues values_;
   FrameWriter writer_;
   const bool open_;

@@ -21,6 +21,31 @@ enum class Rule : uint8_t {
   DepthTest,        ///< R38: a depth test failed
   Scissor,          ///< R39: a covered sample was outside the scissor
   Order,            ///< R50: a later primitive replaced an earlier one
+  DepthClip,        ///< R4: a primitive beyond the near or far plane was kept because depth clipping is off
+  UserDistance,     ///< R5: a clip or cull distance cut or discarded a primitive
+  PointClip,        ///< R7: a point was discarded, or kept, for its vertex being outside the view volume
+  LineClip,         ///< R8: a line with an end outside the view volume
+  PointSquare,      ///< R25: a sample was inside a point's square
+  LineRectangle,    ///< R27, R28: a sample was inside a line's rectangle or parallelogram
+  LineBresenham,    ///< R29, R30, R31: a pixel belonged to a Bresenham line
+  LineStipple,      ///< R32: the stipple pattern removed a fragment
+  PolygonMode,      ///< R34: a triangle was drawn as lines or points
+  CoverageMask,         ///< R16: a mask plane took some, not all, of a fragment's bits
+  SampleShading,        ///< R19: a fragment was shaded once for a sample
+  AttributeLocation,    ///< R20: an input was evaluated at a sample, or away from the centre
+  FragCoord,            ///< R23: a fragment's coordinates were observed
+  SampleMaskIn,         ///< R24: the mask of an invocation's samples was observed
+  PointCoord,           ///< R25: a coordinate within a point was observed
+  DepthBiasSlope,       ///< R35: a triangle's slope or the clamp took part in its depth bias
+  DepthBiasUnit,        ///< R36: the smallest resolvable difference took part in a depth bias
+  DepthBiasMode,        ///< R37: a triangle drawn as lines or points, or a line or point, met depth bias
+  DepthClamp,           ///< R38: a depth was clamped
+  DepthConversion,      ///< R38: a depth was rounded to fixed point
+  SampleMask,           ///< R40: the sample mask removed a covered sample
+  AlphaToCoverage,      ///< R41: alpha removed a covered sample
+  Resolve,              ///< R42: samples of a pixel that differ were averaged
+  FrontFacing,          ///< R44: a fragment's facing was observed
+  InterpolationOffset,  ///< R48: an input was evaluated at an offset from the centre
   Count_,
 };
 

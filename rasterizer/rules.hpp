@@ -43,6 +43,32 @@ enum class PointArithmetic : uint8_t {
   SnappedCentre,  ///< around the snapped vertex, its side in whole subpixels and at least one pixel
 };
 
+/// [choice:line-arithmetic] how the outline of a line is placed. [vk:primsrast-lines-basic]
+enum class LineArithmetic : uint8_t {
+  Exact,           ///< around the snapped ends, without rounding
+  Float32Corners,  ///< four corners in float32, each snapped (halves away from zero), for Bresenham lines too
+};
+
+/// [choice:diamond-exit] who owns the border of a pixel's diamond. [vk:primsrast-lines-bresenham]
+enum class DiamondExit : uint8_t {
+  Vulkan,      ///< ends moved by -(ε, ε²)
+  Direct3D11,  ///< lower-left and lower-right edges and the bottom corner; the right corner of y-major lines
+};
+
+/// [choice:depth-bias-unit] the smallest resolvable difference of a fixed-point depth format with n bits.
+/// [vk:primsrast-depthbias-computation]
+enum class DepthBiasUnit : uint8_t {
+  OneStep,   ///< 2^-n
+  TwoSteps,  ///< 2 / (2^n - 1)
+};
+
+// Choices whose nominal answer is the same in every profile; open rules compute the others as intervals:
+// [choice:attribute-position]  undecorated inputs of multisampled fragments: at the centre
+// [choice:offset-rounding]     interpolateAtOffset: the offset rounded to subPixelInterpolationOffsetBits
+// [choice:line-interpolation]  along a line: by projection on it
+// [choice:line-bias]           depth bias of lines and points: none
+// [choice:alpha-to-coverage]   which samples a fractional alpha covers: any
+
 struct Choices {
   ViewportArithmetic viewportArithmetic = ViewportArithmetic::Exact;
   SnapRounding snapRounding = SnapRounding::NearestEven;
@@ -50,6 +76,9 @@ struct Choices {
   TieOwner tieOwner = TieOwner::TopLeft;
   ClipArithmetic clipArithmetic = ClipArithmetic::Exact;
   PointArithmetic pointArithmetic = PointArithmetic::Exact;
+  LineArithmetic lineArithmetic = LineArithmetic::Exact;
+  DiamondExit diamondExit = DiamondExit::Vulkan;
+  DepthBiasUnit depthBiasUnit = DepthBiasUnit::OneStep;
   friend bool operator==(const Choices&, const Choices&) = default;
 };
 

@@ -56,6 +56,10 @@ double exactFloor(float coordinate, float w, const ViewportAxis& axis, int bits)
   return signAgainst(coordinate, w, axis, bits, 2 * near) >= 0 ? near : near - 1;
 }
 
+SnapRounding roundingOf(const Rules& rules) {
+  return rules.error == DeliberateError::TruncatingSnap ? SnapRounding::TowardZero : rules.choices.snapRounding;
+}
+
 bool isExactly(float coordinate, float w, const ViewportAxis& axis, int bits, double gridValue) {
   return signAgainst(coordinate, w, axis, bits, 2 * gridValue) == 0;
 }
@@ -107,7 +111,7 @@ int32_t snapFloat(const Rules& rules, uint32_t samples, float pixels) {
   const float shifted = centre ? pixels - 0.5F : pixels;
   const float limit = static_cast<float>(kGuardBand);
   const float scaled = std::clamp(shifted, -limit, limit) * unit;
-  const double grid = roundTo(scaled, rules.choices.snapRounding);
+  const double grid = roundTo(scaled, roundingOf(rules));
   return toSubpixels(grid, bits) + (centre ? kSubpixelOne / 2 : 0);
 }
 
@@ -115,7 +119,7 @@ int32_t snapUnder(const Rules& rules, uint32_t samples, float coordinate, float 
   if (rules.choices.viewportArithmetic != ViewportArithmetic::Exact) {
     return snapFloat(rules, samples, toFramebufferFloat(coordinate, w, axis, rules.choices.viewportArithmetic));
   }
-  return snapExactly(coordinate, w, axis, gridBits(rules), rules.choices.snapRounding);
+  return snapExactly(coordinate, w, axis, gridBits(rules), roundingOf(rules));
 }
 
 SnapRange legalSnaps(float coordinate, float w, const ViewportAxis& axis, int bits, double uncertainty) {

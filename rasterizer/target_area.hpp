@@ -18,10 +18,16 @@ struct PixelArea {
   return {0, 0, static_cast<int32_t>(scene.target.width), static_cast<int32_t>(scene.target.height)};
 }
 
-[[nodiscard]] inline PixelArea targetArea(const Scene& scene, DeliberateError error = DeliberateError::None) {
+[[nodiscard]] inline const Viewport& viewportOf(const Scene& scene, uint32_t index) {
+  return index == 0 ? scene.viewport : scene.furtherViewports[index - 1].viewport;
+}
+
+/// For draws through viewport `index`: each viewport has its own scissor.
+[[nodiscard]] inline PixelArea targetArea(const Scene& scene, uint32_t index, DeliberateError error = DeliberateError::None) {
   PixelArea area = wholeTarget(scene);
-  if (!scene.scissor) return area;
-  const Rect2D& scissor = *scene.scissor;
+  const std::optional<Rect2D>& given = index == 0 ? scene.scissor : scene.furtherViewports[index - 1].scissor;
+  if (!given) return area;
+  const Rect2D& scissor = *given;
   const int64_t widened = error == DeliberateError::ScissorOffByOne ? 1 : 0;
   area.left = std::max(area.left, scissor.x);
   area.top = std::max(area.top, scissor.y);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rasterizer/target_area.hpp"
+
 namespace rasterdiff::rasterizer {
 namespace {
 
@@ -103,8 +105,8 @@ RasterVertex VertexStage::clipped(const ClipVertex& clip) const {
   return vertex;
 }
 
-VertexStage vertexStage(const Scene& scene, const Rules& rules) {
-  Viewport viewport = scene.viewport;
+VertexStage vertexStage(const Scene& scene, const Rules& rules, uint32_t index) {
+  Viewport viewport = viewportOf(scene, index);
   if (rules.error == DeliberateError::ViewportFlipped && viewport.height < 0) {
     viewport.y += viewport.height;
     viewport.height = -viewport.height;

@@ -17,6 +17,7 @@ struct VertexStage {
   [[nodiscard]] RasterVertex clipped(const ClipVertex& vertex) const;
 };
 
-[[nodiscard]] VertexStage vertexStage(const Scene& scene, const Rules& rules);
+/// The stage of draws through viewport `index`.
+[[nodiscard]] VertexStage vertexStage(const Scene& scene, const Rules& rules, uint32_t index);
 
 }  // namespace rasterdiff::rasterizer

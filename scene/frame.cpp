@@ -19,6 +19,7 @@ size_t planeBytes(const Frame& frame) {
   size_t total = bytes(frame.primitive) + bytes(frame.count) + bytes(frame.depth) + bytes(frame.coverage) +
                  bytes(frame.depthBounds);
   for (const VaryingPlane& varying : frame.varyings) total += bytes(varying.values) + bytes(varying.bounds);
+  for (const VaryingPlane& varying : frame.resolved) total += bytes(varying.values) + bytes(varying.bounds);
   return total;
 }
 

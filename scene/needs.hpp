@@ -10,9 +10,11 @@ namespace rasterdiff {
 /// Planes and stages a scene asks for. Primitive index and overdraw count are always there; all else only on demand.
 struct SceneNeeds {
   bool depth = false;           ///< a depth attachment exists: depth is interpolated, (perhaps) tested, read back, compared
-  uint32_t varyings = 0;        ///< number of varying planes
+  uint32_t varyings = 0;        ///< number of the scene's varyings
+  uint32_t builtIns = 0;        ///< number of observed built-ins; planes of values: varyings + builtIns
+  bool resolve = false;         ///< each varying has a plane of one value a pixel too
   bool perspective = false;     ///< some w differs from 1: values need f/w and 1/w
-  bool clipping = false;        ///< some vertex lies outside the view volume
+  bool clipping = false;        ///< some vertex lies outside the clip volume: view volume and clip distances
   uint32_t samples = 1;
 };
 

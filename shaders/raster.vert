@@ -1,7 +1,12 @@
 #version 450
+#ifdef VIEWPORT_INDEX
+#extension GL_ARB_shader_viewport_layer_array : require
+#endif
 // Passes clip positions and VARYINGS inputs through untouched, so that everything measured happens in fixed function.
 // With PRIMITIVE_FROM_VERTEX (a device without gl_PrimitiveID in fragment shaders) each vertex also carries the number
 // of the primitive it provokes; vertices are not indexed then.
+// POINT_SIZE, CLIP_DISTANCES, CULL_DISTANCES and VIEWPORT_INDEX each pass one more value through. The numbers of distances
+// are specialization constants; an input that a pipeline has no array for is bound to any other array and not used.
 
 layout(location = 0) in vec4 position;
 #if VARYINGS > 0
@@ -29,12 +34,44 @@ layout(location = 6) in vec4 in5;
 layout(location = 5) out vec4 out5;
 #endif
 
-#ifdef PRIMITIVE_FROM_VERTEX
+#ifdef POINT_SIZE
+layout(location = 7) in float pointSize;
+#endif
+#ifdef CLIP_DISTANCES
+layout(constant_id = 0) const int kClipDistances = 1;
+layout(location = 8) in vec4 firstClipDistances;
+layout(location = 9) in vec4 furtherClipDistances;
+#endif
+#ifdef CULL_DISTANCES
+layout(constant_id = 1) const int kCullDistances = 1;
+layout(location = 10) in vec4 firstCullDistances;
+layout(location = 11) in vec4 furtherCullDistances;
+#endif
+
+#if defined(POINT_SIZE) || defined(CLIP_DISTANCES) || defined(CULL_DISTANCES)
+out gl_PerVertex {
+  vec4 gl_Position;
+#ifdef POINT_SIZE
+  float gl_PointSize;
+#endif
+#ifdef CLIP_DISTANCES
+  float gl_ClipDistance[kClipDistances];
+#endif
+#ifdef CULL_DISTANCES
+  float gl_CullDistance[kCullDistances];
+#endif
+};
+#endif
+
+#if defined(PRIMITIVE_FROM_VERTEX) || defined(VIEWPORT_INDEX)
 layout(push_constant) uniform DrawConstants {
   uint firstPrimitive;
-  uint verticesPerPrimitive;  // 3: list, 1: strip and fan
-  uint firstProvoking;        // the vertex that provokes primitive 0 (list: 0)
+  uint verticesPerPrimitive;  // of a list; 1: strip and fan
+  uint firstProvoking;        // the vertex that provokes the draw's first primitive (list: its first vertex)
+  uint viewportIndex;
 } draw;
+#endif
+#ifdef PRIMITIVE_FROM_VERTEX
 layout(location = 6) flat out uint primitiveNumber;
 #endif
 
@@ -43,6 +80,22 @@ invariant gl_Position;
 
 void main() {
   gl_Position = position;
+#ifdef POINT_SIZE
+  gl_PointSize = pointSize;
+#endif
+#ifdef CLIP_DISTANCES
+  for (int i = 0; i < kClipDistances; ++i) {
+    gl_ClipDistance[i] = i < 4 ? firstClipDistances[i] : furtherClipDistances[i - 4];
+  }
+#endif
+#ifdef CULL_DISTANCES
+  for (int i = 0; i < kCullDistances; ++i) {
+    gl_CullDistance[i] = i < 4 ? firstCullDistances[i] : furtherCullDistances[i - 4];
+  }
+#endif
+#ifdef VIEWPORT_INDEX
+  gl_ViewportIndex = int(draw.viewportIndex);
+#endif
 #if VARYINGS > 0
   out0 = in0;
 #endif

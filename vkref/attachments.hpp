@@ -9,8 +9,9 @@
 namespace rasterdiff::vkref {
 
 struct Attachments {
-  std::vector<Pool<Image>::Lease> color;  ///< as RenderPlan::color
-  Pool<Image>::Lease depth;               ///< null without a depth attachment
+  std::vector<Pool<Image>::Lease> color;     ///< as RenderPlan::color
+  std::vector<Pool<Image>::Lease> resolved;  ///< one sample a pixel, as the varyings; empty without a resolve
+  Pool<Image>::Lease depth;                  ///< null without a depth attachment
 };
 
 /// Adds what was made or reused to `cost`. Error: NotOffered when memory ran out.

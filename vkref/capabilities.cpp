@@ -40,7 +40,7 @@ VkSampleCountFlags sampleCountsOf(VkPhysicalDevice physicalDevice, VkFormat form
 VkSampleCountFlags framebufferSampleCounts(VkPhysicalDevice physicalDevice, const VkPhysicalDeviceLimits& limits) {
   VkSampleCountFlags counts = limits.framebufferColorSampleCounts & limits.framebufferDepthSampleCounts;
   for (VkFormat format : kColorFormats) counts &= sampleCountsOf(physicalDevice, format);
-  return counts & sampleCountsOf(physicalDevice, kDepthFormat);
+  return counts & sampleCountsOf(physicalDevice, VK_FORMAT_D32_SFLOAT);
 }
 
 Result<uint32_t> queueFamilyOf(VkPhysicalDevice physicalDevice) {
@@ -55,25 +55,37 @@ Result<uint32_t> queueFamilyOf(VkPhysicalDevice physicalDevice) {
   return lacks("no queue family for graphics and compute");
 }
 
+/// The knobs that the reference has to know; sample counts are asked for format by format elsewhere.
+Limits limitsOf(const Features& features, const VkPhysicalDeviceLimits& vk, VkPointClippingBehavior clipping) {
+  Limits limits;
+  limits.subPixelPrecisionBits = vk.subPixelPrecisionBits;
+  limits.viewportSubPixelBits = vk.viewportSubPixelBits;
+  limits.standardSampleLocations = vk.standardSampleLocations;
+  limits.maxFramebufferWidth = std::min(vk.maxFramebufferWidth, vk.maxImageDimension2D);
+  limits.maxFramebufferHeight = std::min(vk.maxFramebufferHeight, vk.maxImageDimension2D);
+  limits.provokingVertexLast = features.provokingVertex.provokingVertexLast;
+  limits.depthClipControl = features.depthClipControl.depthClipControl;
+  limits.strictLines = vk.strictLines;
+  limits.rectangularLines = features.lines.rectangularLines;
+  limits.bresenhamLines = features.lines.bresenhamLines;
+  limits.smoothLines = features.lines.smoothLines;
+  limits.stippledRectangularLines = features.lines.stippledRectangularLines;
+  limits.stippledBresenhamLines = features.lines.stippledBresenhamLines;
+  const bool wide = features.core.features.wideLines, large = features.core.features.largePoints;
+  limits.lineWidthMin = wide ? vk.lineWidthRange[0] : 1;
+  limits.lineWidthMax = wide ? vk.lineWidthRange[1] : 1;
+  limits.lineWidthGranularity = wide ? vk.lineWidthGranularity : 0;
+  limits.pointSizeMin = large ? vk.pointSizeRange[0] : 1;
+  limits.pointSizeMax = large ? vk.pointSizeRange[1] : 1;
+  limits.pointSizeGranularity = large ? vk.pointSizeGranularity : 0;
+  limits.pointClippingBehavior = static_cast<PointClippingBehavior>(clipping);
+  limits.subPixelInterpolationOffsetBits = vk.subPixelInterpolationOffsetBits;
+  limits.minInterpolationOffset = vk.minInterpolationOffset;
+  limits.maxInterpolationOffset = vk.maxInterpolationOffset;
+  return limits;
+}
+
 }  // namespace
-
-VkFormat varyingFormat(uint32_t components) {
-  return components == 1   ? VK_FORMAT_R32_SFLOAT
-         : components == 2 ? VK_FORMAT_R32G32_SFLOAT
-                           : VK_FORMAT_R32G32B32A32_SFLOAT;
-}
-
-uint32_t texelComponents(VkFormat format) {
-  return format == VK_FORMAT_R32G32B32A32_SFLOAT ? 4 : format == VK_FORMAT_R32G32_SFLOAT ? 2 : 1;
-}
-
-VkImageUsageFlags attachmentUsage(VkFormat format, uint32_t samples) {
-  const VkImageUsageFlags attachment = format == kDepthFormat
-                                           ? VkImageUsageFlags{VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT}
-                                           : VkImageUsageFlags{VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT};
-  return attachment | (samples == 1 ? VkImageUsageFlags{VK_IMAGE_USAGE_TRANSFER_SRC_BIT}
-                                    : VkImageUsageFlags{VK_IMAGE_USAGE_SAMPLED_BIT});
-}
 
 std::vector<std::string> extensionsOf(VkPhysicalDevice physicalDevice) {
   uint32_t count = 0;
@@ -95,34 +107,17 @@ Result<Capabilities> inspect(VkPhysicalDevice physicalDevice) {
     return lacks(fmt::format("{} offers Vulkan {}, 1.3 is needed", base.deviceName, versionText(base.apiVersion)));
   }
   auto driver = vkStruct<VkPhysicalDeviceDriverProperties>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES);
-  auto properties = vkStruct<VkPhysicalDeviceProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &driver);
+  auto clipping = vkStruct<VkPhysicalDevicePointClippingProperties>(
+      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_POINT_CLIPPING_PROPERTIES, &driver);
+  auto properties = vkStruct<VkPhysicalDeviceProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &clipping);
   vkGetPhysicalDeviceProperties2(physicalDevice, &properties);
   caps.driver = {driver.driverName, driver.driverInfo, base.deviceName, versionText(base.apiVersion), {}, {}};
   if (caps.driver.info.empty()) caps.driver.info = "driver version " + versionText(base.driverVersion);
 
-  const std::vector<std::string> extensions = extensionsOf(physicalDevice);
-  const auto has = [&](const char* name) { return std::binary_search(extensions.begin(), extensions.end(), name); };
-
-  auto features13 = vkStruct<VkPhysicalDeviceVulkan13Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES);
-  auto features = vkStruct<VkPhysicalDeviceFeatures2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features13);
-  auto provoking = vkStruct<VkPhysicalDeviceProvokingVertexFeaturesEXT>(
-      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROVOKING_VERTEX_FEATURES_EXT);
-  auto clip = vkStruct<VkPhysicalDeviceDepthClipControlFeaturesEXT>(
-      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DEPTH_CLIP_CONTROL_FEATURES_EXT);
-  if (has(VK_EXT_PROVOKING_VERTEX_EXTENSION_NAME)) {
-    provoking.pNext = features.pNext;
-    features.pNext = &provoking;
-  }
-  if (has(VK_EXT_DEPTH_CLIP_CONTROL_EXTENSION_NAME)) {
-    clip.pNext = features.pNext;
-    features.pNext = &clip;
-  }
-  vkGetPhysicalDeviceFeatures2(physicalDevice, &features);
-  if (!features13.dynamicRendering) return lacks("dynamicRendering is not offered");
-  if (!features13.synchronization2) return lacks("synchronization2 is not offered");
-  if (!features.features.independentBlend) return lacks("independentBlend is not offered");
-  caps.geometryShader = features.features.geometryShader;
-  caps.fullDrawIndexUint32 = features.features.fullDrawIndexUint32;
+  caps.features = featuresOf(physicalDevice, extensionsOf(physicalDevice));
+  if (!caps.features.vulkan13.dynamicRendering) return lacks("dynamicRendering is not offered");
+  if (!caps.features.vulkan13.synchronization2) return lacks("synchronization2 is not offered");
+  if (!caps.core().independentBlend) return lacks("independentBlend is not offered");
 
   VkFormatProperties count{};
   vkGetPhysicalDeviceFormatProperties(physicalDevice, kCountFormat, &count);
@@ -130,16 +125,12 @@ Result<Capabilities> inspect(VkPhysicalDevice physicalDevice) {
     return lacks("R32_SFLOAT attachments cannot be blended, so overdraw cannot be counted");
   }
 
-  Limits& limits = caps.limits;
-  limits.subPixelPrecisionBits = base.limits.subPixelPrecisionBits;
-  limits.viewportSubPixelBits = base.limits.viewportSubPixelBits;
-  limits.framebufferSampleCounts = framebufferSampleCounts(physicalDevice, base.limits);
-  limits.standardSampleLocations = base.limits.standardSampleLocations;
-  limits.maxFramebufferWidth = std::min(base.limits.maxFramebufferWidth, base.limits.maxImageDimension2D);
-  limits.maxFramebufferHeight = std::min(base.limits.maxFramebufferHeight, base.limits.maxImageDimension2D);
-  limits.provokingVertexLast = provoking.provokingVertexLast;
-  limits.depthClipControl = clip.depthClipControl;
-  if (!(limits.framebufferSampleCounts & VK_SAMPLE_COUNT_1_BIT)) {
+  caps.limits = limitsOf(caps.features, base.limits, clipping.pointClippingBehavior);
+  caps.limits.framebufferSampleCounts = framebufferSampleCounts(physicalDevice, base.limits);
+  for (size_t i = 0; i < kDepthFormats.size(); ++i) {
+    caps.depthSampleCounts[i] = sampleCountsOf(physicalDevice, static_cast<VkFormat>(kDepthFormats[i]));
+  }
+  if (!(caps.limits.framebufferSampleCounts & VK_SAMPLE_COUNT_1_BIT)) {
     return lacks("an attachment format (R32_UINT, R32/RG32/RGBA32_SFLOAT, D32_SFLOAT) is not offered");
   }
 

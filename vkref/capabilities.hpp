@@ -11,29 +11,21 @@
 #include "scene/limits.hpp"
 #include "scene/result.hpp"
 #include "vkref/device.hpp"
+#include "vkref/features.hpp"
+#include "vkref/formats.hpp"
 
 namespace rasterdiff::vkref {
-
-inline constexpr VkFormat kPrimitiveFormat = VK_FORMAT_R32_UINT;
-inline constexpr VkFormat kCountFormat = VK_FORMAT_R32_SFLOAT;
-inline constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
-
-/// Format of a varying's attachment, by components 1..4; three are stored as four.
-[[nodiscard]] VkFormat varyingFormat(uint32_t components);
-/// Components that a texel of one of our formats holds, 4 bytes each.
-[[nodiscard]] uint32_t texelComponents(VkFormat format);
-
-/// Usage of an attachment: read back by a copy at one sample, by a shader at several.
-[[nodiscard]] VkImageUsageFlags attachmentUsage(VkFormat format, uint32_t samples);
 
 struct Capabilities {
   VkPhysicalDeviceLimits vk{};  ///< as advertised
   Limits limits;
   DriverInfo driver;
   uint32_t queueFamily = 0;
-  bool geometryShader = false;       ///< gl_PrimitiveID exists in fragment shaders
-  bool fullDrawIndexUint32 = false;
-  VkDeviceSize largestHeap = 0;      ///< bytes
+  Features features;            ///< offered and enabled
+  std::array<VkSampleCountFlags, kDepthFormats.size()> depthSampleCounts{};  ///< as kDepthFormats; 0: not offered
+  VkDeviceSize largestHeap = 0;  ///< bytes
+
+  [[nodiscard]] const VkPhysicalDeviceFeatures& core() const { return features.core.features; }
 };
 
 /// Error: NoDevice with what the device lacks.

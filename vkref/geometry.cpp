@@ -1,8 +1,11 @@
 // Copies positions, varyings and indices to the device, each array as the scene holds it (expanded only on demand).
 #include "vkref/geometry.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
+
+#include "vkref/primitive_class.hpp"
 
 namespace rasterdiff::vkref {
 namespace {
@@ -13,18 +16,85 @@ constexpr VkDeviceSize kArrayAlignment = 16;
 
 VkDeviceSize roundUp(VkDeviceSize value, VkDeviceSize step) { return (value + step - 1) / step * step; }
 
-/// Copies `words` 32-bit words a vertex: all vertices in order, or one an index.
-void copyVertices(std::byte* to, const void* from, size_t vertices, size_t words,
-                  const std::vector<uint32_t>* expandBy) {
-  const size_t bytes = words * 4;
-  if (!expandBy) {
-    std::memcpy(to, from, vertices * bytes);
+/// The vertices of a draw in the order of memory: all positions, or one an index without the restarts.
+struct VertexOrder {
+  bool expanded = false;
+  std::vector<uint32_t> indices;  ///< of an expanded draw
+  size_t vertices = 0;
+
+  VertexOrder(const Draw& draw, bool restart, bool expand) : expanded(expand && draw.indices) {
+    vertices = draw.positions.size();
+    if (!expanded) return;
+    for (uint32_t index : *draw.indices) {
+      if (!restart || index != kRestartIndex) indices.push_back(index);
+    }
+    vertices = indices.size();
+  }
+
+  /// Copies `words` 32-bit words a vertex.
+  void copy(std::byte* to, const void* from, size_t words) const {
+    const size_t bytes = words * 4;
+    if (!expanded) {
+      std::memcpy(to, from, vertices * bytes);
+      return;
+    }
+    for (uint32_t index : indices) {
+      std::memcpy(to, static_cast<const std::byte*>(from) + index * bytes, bytes);
+      to += bytes;
+    }
+  }
+};
+
+/// A draw of the scene with its place in the buffer.
+struct Source {
+  const Draw* draw = nullptr;
+  VertexOrder order;
+  DrawCommand command;
+};
+
+void copyArrays(const Source& source, const State& state, std::byte* mapped) {
+  const Draw& draw = *source.draw;
+  const DrawCommand& command = source.command;
+  const auto copy = [&](VkDeviceSize to, const auto& values, size_t words) {
+    source.order.copy(mapped + to, values.data(), words);
+  };
+  copy(command.positions, draw.positions, 4);
+  for (size_t v = 0; v < draw.varyings.size(); ++v) {
+    copy(command.varyings[v], draw.varyings[v].values, draw.varyings[v].components);
+  }
+  if (drawsPoints(state) && draw.pointSizes.empty()) {
+    std::fill_n(reinterpret_cast<float*>(mapped + command.pointSizes), source.order.vertices, state.pointSize);
+  } else if (drawsPoints(state)) {
+    copy(command.pointSizes, draw.pointSizes, 1);
+  }
+  if (draw.clipDistanceCount > 0) copy(command.clipDistances, draw.clipDistances, draw.clipDistanceCount);
+  if (draw.cullDistanceCount > 0) copy(command.cullDistances, draw.cullDistances, draw.cullDistanceCount);
+  if (command.indexed) std::memcpy(mapped + command.indices, draw.indices->data(), draw.indices->size() * 4);
+}
+
+/// One command, or one for each run of vertices between restarts of an expanded draw.
+void addCommands(const Source& source, const State& state, std::vector<DrawCommand>& commands) {
+  if (!source.order.expanded || !state.primitiveRestartEnable) {
+    commands.push_back(source.command);
     return;
   }
-  for (uint32_t index : *expandBy) {
-    std::memcpy(to, static_cast<const std::byte*>(from) + index * bytes, bytes);
-    to += bytes;
+  DrawCommand piece = source.command;
+  piece.count = 0;
+  const auto end = [&] {
+    const uint32_t primitives = primitiveCount(state.topology, piece.count);
+    if (primitives > 0) commands.push_back(piece);
+    piece.firstPrimitive += primitives;
+    piece.firstVertex += piece.count;
+    piece.count = 0;
+  };
+  for (uint32_t index : *source.draw->indices) {
+    if (index == kRestartIndex) {
+      end();
+    } else {
+      ++piece.count;
+    }
   }
+  end();
 }
 
 }  // namespace
@@ -38,52 +108,43 @@ Result<Pool<Buffer>::Lease> acquireBuffer(Pool<Buffer>& buffers, VkDeviceSize by
 
 Result<Geometry> upload(const Scene& scene, bool expand, Pool<Buffer>& buffers) {
   Geometry geometry;
-  std::vector<const Draw*> sources;
+  std::vector<Source> sources;
   VkDeviceSize bytes = 0;
   uint32_t primitives = 0;
-  const auto reserve = [&bytes](size_t size) {
-    const VkDeviceSize offset = bytes;
-    bytes = roundUp(bytes + size, kArrayAlignment);
-    return offset;
-  };
   for (const Draw& draw : scene.draws) {
-    DrawCommand command;
-    command.count = vertexCount(draw);
-    command.indexed = draw.indices && !expand;
-    command.firstPrimitive = primitives;
-    const uint32_t own = primitiveCount(scene.state.topology, command.count);
-    primitives += own;  // validate() has seen that all fit 32 bits
+    const uint32_t own = primitiveCount(scene.state, draw);
     if (own == 0) continue;
-    const size_t vertices = command.indexed ? draw.positions.size() : command.count;
-    command.positions = reserve(vertices * sizeof(ClipPosition));
+    Source source{&draw, VertexOrder(draw, scene.state.primitiveRestartEnable, expand), {}};
+    const auto reserve = [&](size_t values, size_t words) {
+      const VkDeviceSize offset = bytes;
+      bytes = roundUp(bytes + values * words * 4, kArrayAlignment);
+      return offset;
+    };
+    DrawCommand& command = source.command;
+    const size_t vertices = source.order.vertices;
+    command.indexed = draw.indices && !expand;
+    command.count = command.indexed ? vertexCount(draw) : static_cast<uint32_t>(vertices);
+    command.firstPrimitive = primitives;
+    command.viewportIndex = draw.viewportIndex;
+    command.positions = reserve(vertices, 4);
     for (size_t v = 0; v < draw.varyings.size(); ++v) {
-      command.varyings[v] = reserve(vertices * draw.varyings[v].components * sizeof(float));
+      command.varyings[v] = reserve(vertices, draw.varyings[v].components);
     }
-    if (command.indexed) command.indices = reserve(draw.indices->size() * sizeof(uint32_t));
-    geometry.draws.push_back(command);
-    sources.push_back(&draw);
+    if (drawsPoints(scene.state)) command.pointSizes = reserve(vertices, 1);
+    command.clipDistances = reserve(vertices, draw.clipDistanceCount);
+    command.cullDistances = reserve(vertices, draw.cullDistanceCount);
+    if (command.indexed) command.indices = reserve(draw.indices->size(), 1);
+    primitives += own;  // validate() has seen that all fit 32 bits
+    addCommands(source, scene.state, geometry.draws);
+    sources.push_back(std::move(source));
   }
-  if (geometry.draws.empty()) return geometry;
+  if (sources.empty()) return geometry;
 
   Result<Pool<Buffer>::Lease> buffer =
       acquireBuffer(buffers, bytes, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
   if (!buffer) return tl::unexpected(buffer.error());
   geometry.buffer = std::move(*buffer);
-  std::byte* mapped = geometry.buffer->mapped;
-  for (size_t i = 0; i < sources.size(); ++i) {
-    const Draw& draw = *sources[i];
-    const DrawCommand& command = geometry.draws[i];
-    const std::vector<uint32_t>* expandBy = draw.indices && expand ? &*draw.indices : nullptr;
-    copyVertices(mapped + command.positions, draw.positions.data(), draw.positions.size(), 4, expandBy);
-    for (size_t v = 0; v < draw.varyings.size(); ++v) {
-      const Varying& varying = draw.varyings[v];
-      copyVertices(mapped + command.varyings[v], varying.values.data(), draw.positions.size(), varying.components,
-                   expandBy);
-    }
-    if (command.indexed) {
-      std::memcpy(mapped + command.indices, draw.indices->data(), draw.indices->size() * sizeof(uint32_t));
-    }
-  }
+  for (const Source& source : sources) copyArrays(source, scene.state, geometry.buffer->mapped);
   return geometry;
 }
 

@@ -10,13 +10,16 @@
 
 namespace rasterdiff::vkref {
 
-/// Where one draw's arrays lie in the buffer, bytes.
+/// One draw, and where its arrays lie in the buffer, bytes.
 struct DrawCommand {
   uint32_t count = 0;           ///< vertices, or indices
+  uint32_t firstVertex = 0;     ///< of the arrays
   bool indexed = false;
   uint32_t firstPrimitive = 0;  ///< primitives of all draws before
+  uint32_t viewportIndex = 0;
   VkDeviceSize positions = 0, indices = 0;
   std::array<VkDeviceSize, kMaxVaryings> varyings{};
+  VkDeviceSize pointSizes = 0, clipDistances = 0, cullDistances = 0;  ///< where the scene has them
 };
 
 struct Geometry {
@@ -25,7 +28,8 @@ struct Geometry {
 };
 
 /// Draws without a whole primitive are left out. With `expand`, indexed draws become draws of one vertex an index, in
-/// the order of the indices: the same primitives, with consecutive vertex numbers.
+/// the order of the indices, and a draw with restarts becomes several: the same primitives, with consecutive vertex
+/// numbers. A scene that draws points has a point size for every vertex.
 /// `scene` has passed validate(). Error: NotOffered when memory ran out.
 [[nodiscard]] Result<Geometry> upload(const Scene& scene, bool expand, Pool<Buffer>& buffers);
 

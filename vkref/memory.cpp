@@ -37,10 +37,6 @@ Result<OwnedMemory> allocate(const Context& context, const VkMemoryRequirements&
 
 }  // namespace
 
-VkImageAspectFlags aspectOf(VkFormat format) {
-  return format == kDepthFormat ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
-}
-
 Result<std::unique_ptr<Buffer>> Buffer::create(const Context& context, const Key& key) {
   auto self = std::make_unique<Buffer>();
   self->key = key;
@@ -66,8 +62,8 @@ Result<std::unique_ptr<Buffer>> Buffer::create(const Context& context, const Key
   return self;
 }
 
-VkDeviceSize Image::texelBytes(const Key& key) {
-  return VkDeviceSize{key.width} * key.height * key.samples * texelComponents(key.format) * 4;
+VkDeviceSize Image::bytesOf(const Key& key) {
+  return VkDeviceSize{key.width} * key.height * key.samples * texelBytes(key.format);
 }
 
 Result<std::unique_ptr<Image>> Image::create(const Context& context, const Key& key) {

@@ -32,14 +32,12 @@ struct Image {
   };
   [[nodiscard]] static Result<std::unique_ptr<Image>> create(const Context& context, const Key& key);
   /// Bytes of its texels, without a driver's padding.
-  [[nodiscard]] static VkDeviceSize texelBytes(const Key& key);
+  [[nodiscard]] static VkDeviceSize bytesOf(const Key& key);
 
   Key key;
   OwnedMemory memory;
   OwnedImage image;
   OwnedImageView view;
 };
-
-[[nodiscard]] VkImageAspectFlags aspectOf(VkFormat format);
 
 }  // namespace rasterdiff::vkref

@@ -6,14 +6,11 @@
 #include <cmath>
 
 #include "vkref/memory.hpp"
+#include "vkref/offered_state.hpp"
 #include "vkref/plan.hpp"
 
 namespace rasterdiff::vkref {
 namespace {
-
-tl::unexpected<Error> notOffered(std::string where, std::string what) {
-  return fail(ErrorCode::NotOffered, std::move(where), std::move(what), "`rasterdiff devices` shows the limits");
-}
 
 Result<void> checkTarget(const RenderPlan& plan, const Capabilities& caps) {
   const Limits& limits = caps.limits;
@@ -24,10 +21,13 @@ Result<void> checkTarget(const RenderPlan& plan, const Capabilities& caps) {
   if (!std::has_single_bit(plan.samples) || !(limits.framebufferSampleCounts & plan.samples)) {
     return notOffered("target.samples", fmt::format("{} samples are not offered", plan.samples));
   }
-  VkDeviceSize bytes = plan.depth ? Image::texelBytes({kDepthFormat, plan.width, plan.height, plan.samples}) : 0;
-  for (const AttachmentPlan& color : plan.color) {
-    bytes += Image::texelBytes({color.format, plan.width, plan.height, plan.samples});
-  }
+  VkDeviceSize bytes = 0;
+  const auto add = [&](VkFormat format, uint32_t samples) {
+    bytes += Image::bytesOf({format, plan.width, plan.height, samples});
+  };
+  for (const AttachmentPlan& color : plan.color) add(color.format, plan.samples);
+  for (uint32_t v = 0; v < plan.varyings && plan.resolve; ++v) add(plan.color[kFirstVarying + v].format, 1);
+  if (plan.depth != VK_FORMAT_UNDEFINED) add(plan.depth, plan.samples);
   // Attachments and the buffer that they are read back into exist at the same time.
   if (bytes > caps.largestHeap / 2) {
     return notOffered("target", fmt::format("attachments of {} MiB and as much for reading back, the device has {} MiB",
@@ -36,7 +36,15 @@ Result<void> checkTarget(const RenderPlan& plan, const Capabilities& caps) {
   return {};
 }
 
-Result<void> checkViewport(const Viewport& viewport, const Capabilities& caps) {
+Result<void> checkDepthFormat(DepthFormat format, uint32_t samples, const Capabilities& caps) {
+  const auto found = std::find(kDepthFormats.begin(), kDepthFormats.end(), format);
+  const size_t index = static_cast<size_t>(found - kDepthFormats.begin());
+  if (index < kDepthFormats.size() && (caps.depthSampleCounts[index] & samples)) return {};
+  return notOffered("target.depthFormat", fmt::format("{} is not offered with {} sample{}", nameOf(format), samples,
+                                                      samples == 1 ? "" : "s"));
+}
+
+Result<void> checkViewport(const std::string& where, const Viewport& viewport, const Capabilities& caps) {
   const VkPhysicalDeviceLimits& vk = caps.vk;
   const float lowest = vk.viewportBoundsRange[0], highest = vk.viewportBoundsRange[1];
   const float bottom = viewport.y + viewport.height;
@@ -45,7 +53,7 @@ Result<void> checkViewport(const Viewport& viewport, const Capabilities& caps) {
   const bool placed = viewport.x >= lowest && viewport.x + viewport.width <= highest &&
                       std::min(viewport.y, bottom) >= lowest && std::max(viewport.y, bottom) <= highest;
   if (!sized || !placed) {
-    return notOffered("viewport", fmt::format("larger than {} × {} or outside {}..{}", vk.maxViewportDimensions[0],
+    return notOffered(where, fmt::format("larger than {} × {} or outside {}..{}", vk.maxViewportDimensions[0],
                                               vk.maxViewportDimensions[1], lowest, highest));
   }
   return {};
@@ -55,22 +63,25 @@ Result<void> checkViewport(const Viewport& viewport, const Capabilities& caps) {
 
 Result<void> checkOffered(const Scene& scene, const RenderPlan& plan, const Capabilities& caps) {
   if (const Result<void> target = checkTarget(plan, caps); !target) return target;
-  if (const Result<void> viewport = checkViewport(scene.viewport, caps); !viewport) return viewport;
-  const State& state = scene.state;
-  if (state.provokingVertexMode == ProvokingVertexMode::LAST_VERTEX && !caps.limits.provokingVertexLast) {
-    return notOffered("state.provokingVertexMode", "LAST_VERTEX needs VK_EXT_provoking_vertex");
+  if (scene.target.depthFormat) {
+    const Result<void> depth = checkDepthFormat(*scene.target.depthFormat, plan.samples, caps);
+    if (!depth) return depth;
   }
-  if (state.negativeOneToOne && !caps.limits.depthClipControl) {
-    return notOffered("state.negativeOneToOne", "needs VK_EXT_depth_clip_control");
+  if (const Result<void> viewport = checkViewport("viewport", scene.viewport, caps); !viewport) return viewport;
+  for (size_t i = 0; i < scene.furtherViewports.size(); ++i) {
+    const Viewport& further = scene.furtherViewports[i].viewport;
+    const Result<void> viewport = checkViewport(fmt::format("furtherViewports[{}].viewport", i), further, caps);
+    if (!viewport) return viewport;
   }
-  for (size_t i = 0; i < scene.draws.size() && !caps.fullDrawIndexUint32; ++i) {
+  for (size_t i = 0; i < scene.draws.size() && !caps.core().fullDrawIndexUint32; ++i) {
     const bool indexed = scene.draws[i].indices.has_value();
     if (indexed && scene.draws[i].positions.size() > size_t{caps.vk.maxDrawIndexedIndexValue} + 1) {
       return notOffered(fmt::format("draws[{}].indices", i),
                         fmt::format("indices above {} are not offered", caps.vk.maxDrawIndexedIndexValue));
     }
   }
-  return {};
+  if (const Result<void> state = checkState(scene, caps); !state) return state;
+  return checkShaders(scene, plan, caps);
 }
 
 }  // namespace rasterdiff::vkref

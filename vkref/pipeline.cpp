@@ -1,88 +1,47 @@
 // Builds graphics pipelines for dynamic rendering; recording draws with them is commands.cpp's work.
 #include "vkref/pipeline.hpp"
 
-#include "vkref/spirv_patch.hpp"
+#include "vkref/pipeline_state.hpp"
 #include "vkref/vk_error.hpp"
-#include "vkref/vk_struct.hpp"
 
 namespace rasterdiff::vkref {
 namespace {
 
 constexpr size_t kMaxPipelines = 512;  ///< then all are dropped: bounds the memory of a long search
 
+/// What every pipeline leaves to commands.cpp; stippled ones also the stipple.
 constexpr std::array kDynamicStates = {
     VK_DYNAMIC_STATE_VIEWPORT,           VK_DYNAMIC_STATE_SCISSOR,
     VK_DYNAMIC_STATE_CULL_MODE,          VK_DYNAMIC_STATE_FRONT_FACE,
-    VK_DYNAMIC_STATE_PRIMITIVE_TOPOLOGY, VK_DYNAMIC_STATE_DEPTH_TEST_ENABLE,
-    VK_DYNAMIC_STATE_DEPTH_WRITE_ENABLE, VK_DYNAMIC_STATE_DEPTH_COMPARE_OP,
+    VK_DYNAMIC_STATE_PRIMITIVE_TOPOLOGY, VK_DYNAMIC_STATE_PRIMITIVE_RESTART_ENABLE,
+    VK_DYNAMIC_STATE_DEPTH_TEST_ENABLE,  VK_DYNAMIC_STATE_DEPTH_WRITE_ENABLE,
+    VK_DYNAMIC_STATE_DEPTH_COMPARE_OP,   VK_DYNAMIC_STATE_DEPTH_BIAS_ENABLE,
+    VK_DYNAMIC_STATE_DEPTH_BIAS,         VK_DYNAMIC_STATE_LINE_WIDTH,
+    VK_DYNAMIC_STATE_LINE_STIPPLE_EXT,
 };
 
-/// Binding 0 is the position, binding 1 + i varying i; each array is tight and lies by itself.
-struct VertexInput {
-  std::array<VkVertexInputBindingDescription, 1 + kMaxVaryingsPerPass> bindings{};
-  std::array<VkVertexInputAttributeDescription, 1 + kMaxVaryingsPerPass> attributes{};
-  VkPipelineVertexInputStateCreateInfo info = vkStruct<VkPipelineVertexInputStateCreateInfo>(
-      VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO);
-
-  explicit VertexInput(const PipelineKey& key) {
-    constexpr std::array kFormats = {VK_FORMAT_UNDEFINED, VK_FORMAT_R32_SFLOAT, VK_FORMAT_R32G32_SFLOAT,
-                                     VK_FORMAT_R32G32B32_SFLOAT, VK_FORMAT_R32G32B32A32_SFLOAT};
-    for (uint32_t i = 0; i <= key.varyings; ++i) {
-      const uint32_t components = i == 0 ? 4 : key.components[i - 1];
-      bindings[i] = {i, components * 4, VK_VERTEX_INPUT_RATE_VERTEX};
-      attributes[i] = {i, i, kFormats[components], 0};
-    }
-    info.vertexBindingDescriptionCount = 1 + key.varyings;
-    info.pVertexBindingDescriptions = bindings.data();
-    info.vertexAttributeDescriptionCount = 1 + key.varyings;
-    info.pVertexAttributeDescriptions = attributes.data();
+/// A topology of the class; the topology itself is dynamic.
+VkPrimitiveTopology topologyOf(TopologyClass topologyClass) {
+  switch (topologyClass) {
+    case TopologyClass::Point:
+      return VK_PRIMITIVE_TOPOLOGY_POINT_LIST;
+    case TopologyClass::Line:
+      return VK_PRIMITIVE_TOPOLOGY_LINE_LIST;
+    case TopologyClass::Triangle:
+      break;
   }
-};
+  return VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+}
 
-/// Color attachments in the order of the pass; the count adds up, all else is replaced.
-struct ColorOutput {
-  std::array<VkFormat, 2 + kMaxVaryingsPerPass> formats{};
-  std::array<VkPipelineColorBlendAttachmentState, 2 + kMaxVaryingsPerPass> blends{};
-  uint32_t count = 0;
-
-  explicit ColorOutput(const PipelineKey& key) {
-    if (key.primitives != PrimitiveSource::None) {
-      add(kPrimitiveFormat);
-      add(kCountFormat);
-      VkPipelineColorBlendAttachmentState& blend = blends[1];
-      blend.blendEnable = VK_TRUE;
-      blend.srcColorBlendFactor = blend.dstColorBlendFactor = VK_BLEND_FACTOR_ONE;
-      blend.srcAlphaBlendFactor = blend.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
-      blend.colorBlendOp = blend.alphaBlendOp = VK_BLEND_OP_ADD;
-    }
-    for (uint32_t i = 0; i < key.varyings; ++i) add(varyingFormat(key.components[i]));
-  }
-
-  void add(VkFormat format) {
-    formats[count] = format;
-    blends[count].colorWriteMask =
-        VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
-    ++count;
-  }
-};
+std::vector<uint32_t> fragmentModule(const PipelineKey& key) {
+  const std::span<const InputInterpolation> interpolations(key.interpolations.data(), key.varyings);
+  if (key.observes) return withInterpolations(builtInCode(key.builtIn, key.alphaToCoverage), interpolations);
+  std::vector<uint32_t> code = withInterpolations(fragmentCode(key.primitives, key.varyings), interpolations);
+  const bool alphaIsFirst = !key.alphaToCoverage || key.primitives == PrimitiveSource::None;
+  return alphaIsFirst ? code : withOutputFirst(code, kFirstVarying);
+}
 
 }  // namespace
-
-PipelineKey pipelineKey(const Scene& scene, const RenderPlan& plan, const PassPlan& pass, PrimitiveSource primitives) {
-  PipelineKey key;
-  key.samples = plan.samples;
-  key.depth = plan.depth;
-  key.negativeOneToOne = scene.state.negativeOneToOne;
-  key.provokingVertexMode = scene.state.provokingVertexMode;
-  key.primitives = pass.primitives ? primitives : PrimitiveSource::None;
-  key.varyings = pass.varyings;
-  for (uint32_t i = 0; i < pass.varyings; ++i) {
-    const Varying& varying = scene.draws.front().varyings[pass.firstVarying + i];
-    key.interpolations[i] = varying.interpolation;
-    key.components[i] = varying.components;
-  }
-  return key;
-}
 
 Result<OwnedShaderModule> makeShaderModule(const Context& context, std::span<const uint32_t> code) {
   auto info = vkStruct<VkShaderModuleCreateInfo>(VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO);
@@ -120,57 +79,46 @@ Result<VkPipeline> PipelineCache::get(const PipelineKey& key) {
 }
 
 Result<OwnedPipeline> PipelineCache::make(const PipelineKey& key) const {
-  const Result<OwnedShaderModule> vertex = makeShaderModule(context_, vertexCode(key.primitives, key.varyings));
+  const Result<OwnedShaderModule> vertex =
+      makeShaderModule(context_, vertexCode(key.primitives, key.varyings, key.extras));
   if (!vertex) return tl::unexpected(vertex.error());
-  const std::vector<uint32_t> patched =
-      withInterpolations(fragmentCode(key.primitives, key.varyings), {key.interpolations.data(), key.varyings});
-  const Result<OwnedShaderModule> fragment = makeShaderModule(context_, patched);
+  const Result<OwnedShaderModule> fragment = makeShaderModule(context_, fragmentModule(key));
   if (!fragment) return tl::unexpected(fragment.error());
 
+  const std::array<uint32_t, 2> constants = {key.clipDistances, key.cullDistances};
+  const std::array<VkSpecializationMapEntry, 2> entries = {{{0, 0, 4}, {1, 4, 4}}};
+  const VkSpecializationInfo distances{entries.size(), entries.data(), sizeof(constants), constants.data()};
   std::array<VkPipelineShaderStageCreateInfo, 2> stages{};
   stages[0] = {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO, nullptr, 0, VK_SHADER_STAGE_VERTEX_BIT,
-               vertex->get(), "main", nullptr};
+               vertex->get(), "main", key.extras.any() ? &distances : nullptr};
   stages[1] = {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO, nullptr, 0, VK_SHADER_STAGE_FRAGMENT_BIT,
                fragment->get(), "main", nullptr};
 
-  const VertexInput vertexInput(key);
   auto assembly = vkStruct<VkPipelineInputAssemblyStateCreateInfo>(
       VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO);
-  assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;  // its class; the topology itself is dynamic
+  assembly.topology = topologyOf(key.topology);
 
   auto clip = vkStruct<VkPipelineViewportDepthClipControlCreateInfoEXT>(
       VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_DEPTH_CLIP_CONTROL_CREATE_INFO_EXT);
   clip.negativeOneToOne = VK_TRUE;
   auto viewport = vkStruct<VkPipelineViewportStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO);
   viewport.pNext = key.negativeOneToOne ? &clip : nullptr;
-  viewport.viewportCount = 1;
-  viewport.scissorCount = 1;
+  viewport.viewportCount = key.viewports;
+  viewport.scissorCount = key.viewports;
 
-  auto provoking = vkStruct<VkPipelineRasterizationProvokingVertexStateCreateInfoEXT>(
-      VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_PROVOKING_VERTEX_STATE_CREATE_INFO_EXT);
-  provoking.provokingVertexMode = VK_PROVOKING_VERTEX_MODE_LAST_VERTEX_EXT;
-  auto raster = vkStruct<VkPipelineRasterizationStateCreateInfo>(
-      VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO);
-  raster.pNext = key.provokingVertexMode == ProvokingVertexMode::LAST_VERTEX ? &provoking : nullptr;
-  raster.lineWidth = 1;
-
-  auto multisample = vkStruct<VkPipelineMultisampleStateCreateInfo>(
-      VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO);
-  multisample.rasterizationSamples = static_cast<VkSampleCountFlagBits>(key.samples);
+  const VertexInput vertexInput(key);
+  const RasterState raster(key);
+  const MultisampleState multisample(key);
+  const ColorOutput output(key);
   const auto depth = vkStruct<VkPipelineDepthStencilStateCreateInfo>(
       VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO);
-
-  const ColorOutput output(key);
-  auto blend = vkStruct<VkPipelineColorBlendStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO);
-  blend.attachmentCount = output.count;
-  blend.pAttachments = output.blends.data();
   auto rendering = vkStruct<VkPipelineRenderingCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO);
-  rendering.colorAttachmentCount = output.count;
+  rendering.colorAttachmentCount = static_cast<uint32_t>(output.formats.size());
   rendering.pColorAttachmentFormats = output.formats.data();
-  rendering.depthAttachmentFormat = key.depth ? kDepthFormat : VK_FORMAT_UNDEFINED;
+  rendering.depthAttachmentFormat = key.depth;
 
   auto dynamic = vkStruct<VkPipelineDynamicStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO);
-  dynamic.dynamicStateCount = kDynamicStates.size();
+  dynamic.dynamicStateCount = kDynamicStates.size() - (key.stippled ? 0 : 1);
   dynamic.pDynamicStates = kDynamicStates.data();
 
   auto info = vkStruct<VkGraphicsPipelineCreateInfo>(VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, &rendering);
@@ -179,10 +127,10 @@ Result<OwnedPipeline> PipelineCache::make(const PipelineKey& key) const {
   info.pVertexInputState = &vertexInput.info;
   info.pInputAssemblyState = &assembly;
   info.pViewportState = &viewport;
-  info.pRasterizationState = &raster;
-  info.pMultisampleState = &multisample;
+  info.pRasterizationState = &raster.info;
+  info.pMultisampleState = &multisample.info;
   info.pDepthStencilState = &depth;
-  info.pColorBlendState = &blend;
+  info.pColorBlendState = &output.info;
   info.pDynamicState = &dynamic;
   info.layout = layout_.get();
   VkPipeline pipeline = VK_NULL_HANDLE;

@@ -1,36 +1,16 @@
 // Graphics pipelines, made once for each combination of what cannot be set while drawing.
 #pragma once
 
-#include <array>
-#include <compare>
 #include <map>
 
-#include "scene/scene.hpp"
 #include "vkref/owned.hpp"
-#include "vkref/plan.hpp"
-#include "vkref/shader_code.hpp"
+#include "vkref/pipeline_key.hpp"
 
 namespace rasterdiff::vkref {
 
-/// Everything that a pipeline depends on; culling, facing, topology, depth state, viewport and scissor are dynamic.
-struct PipelineKey {
-  uint32_t samples = 1;
-  bool depth = false;
-  bool negativeOneToOne = false;
-  ProvokingVertexMode provokingVertexMode = ProvokingVertexMode::FIRST_VERTEX;
-  PrimitiveSource primitives = PrimitiveSource::None;
-  uint32_t varyings = 0;
-  std::array<Interpolation, kMaxVaryingsPerPass> interpolations{};
-  std::array<uint32_t, kMaxVaryingsPerPass> components{};
-  friend auto operator<=>(const PipelineKey&, const PipelineKey&) = default;
-};
-
-[[nodiscard]] PipelineKey pipelineKey(const Scene& scene, const RenderPlan& plan, const PassPlan& pass,
-                                      PrimitiveSource primitives);
-
 /// Push constants of the raster shaders.
 struct DrawConstants {
-  uint32_t firstPrimitive = 0, verticesPerPrimitive = 1, firstProvoking = 0;
+  uint32_t firstPrimitive = 0, verticesPerPrimitive = 1, firstProvoking = 0, viewportIndex = 0;
 };
 
 class PipelineCache {

@@ -3,9 +3,27 @@
 
 #include <algorithm>
 
+#include "scene/built_ins.hpp"
 #include "scene/needs.hpp"
 
 namespace rasterdiff::vkref {
+namespace {
+
+/// A pass without planes of its own yet.
+PassPlan newPass(const RenderPlan& plan) {
+  PassPlan pass;
+  if (plan.alphaToCoverage) {
+    pass.attachments.push_back(kFirstVarying);
+    pass.varyings.push_back(0);
+  }
+  return pass;
+}
+
+bool observes(const Scene& scene, BuiltIn builtIn) {
+  return std::find(scene.builtIns.begin(), scene.builtIns.end(), builtIn) != scene.builtIns.end();
+}
+
+}  // namespace
 
 RenderPlan planOf(const Scene& scene, const Capabilities& caps) {
   const SceneNeeds needs = needsOf(scene);
@@ -13,7 +31,15 @@ RenderPlan planOf(const Scene& scene, const Capabilities& caps) {
   plan.width = scene.target.width;
   plan.height = scene.target.height;
   plan.samples = scene.target.samples;
-  plan.depth = needs.depth;
+  plan.varyings = needs.varyings;
+  if (needs.depth) plan.depth = static_cast<VkFormat>(*scene.target.depthFormat);
+  plan.resolve = scene.target.resolve && plan.samples > 1;
+  plan.alphaToCoverage = scene.state.alphaToCoverageEnable && needs.varyings > 0;
+  // [vk:primsrast-sampleshading] one shader that reads either built-in runs for every sample; so do all our passes.
+  plan.sampleShading = observes(scene, BuiltIn::SampleId) || observes(scene, BuiltIn::SamplePosition);
+  plan.viewportIndex = !scene.furtherViewports.empty() && caps.core().multiViewport &&
+                       caps.features.vulkan12.shaderOutputViewportIndex &&
+                       scene.furtherViewports.size() < caps.vk.maxViewports;
   plan.color = {{kPrimitiveFormat, 1}, {kCountFormat, 1}};
   for (uint32_t v = 0; v < needs.varyings; ++v) {
     const uint32_t components = scene.draws.front().varyings[v].components;
@@ -21,16 +47,33 @@ RenderPlan planOf(const Scene& scene, const Capabilities& caps) {
   }
 
   const uint32_t perPass = std::min(caps.vk.maxColorAttachments, caps.vk.maxFragmentOutputAttachments);
-  PassPlan pass{0, 2, 0, 0, true};
-  for (;;) {
-    const uint32_t room = std::min(perPass - pass.attachments, kMaxVaryingsPerPass);
-    pass.varyings = std::min(room, needs.varyings - pass.firstVarying);
-    pass.attachments += pass.varyings;
-    plan.passes.push_back(pass);
-    const uint32_t next = pass.firstVarying + pass.varyings;
-    if (next == needs.varyings) return plan;
-    pass = {2 + next, 0, next, 0, false};
+  PassPlan pass = newPass(plan);
+  pass.primitives = true;
+  pass.attachments.insert(pass.attachments.end(), {0, 1});
+  for (uint32_t v = plan.alphaToCoverage ? 1 : 0; v < needs.varyings; ++v) {
+    if (pass.attachments.size() == perPass || pass.varyings.size() == kMaxVaryingsPerPass) {
+      plan.passes.push_back(std::move(pass));
+      pass = newPass(plan);
+    }
+    pass.attachments.push_back(kFirstVarying + v);
+    pass.varyings.push_back(v);
   }
+  plan.passes.push_back(std::move(pass));
+  for (const BuiltIn builtIn : scene.builtIns) {
+    PassPlan own = newPass(plan);
+    own.builtIn = builtIn;
+    own.attachments.push_back(static_cast<uint32_t>(plan.color.size()));
+    plan.color.push_back({varyingFormat(builtInComponents(builtIn)), builtInComponents(builtIn)});
+    plan.passes.push_back(std::move(own));
+  }
+  return plan;
+}
+
+bool resolves(const RenderPlan& plan, const PassPlan& pass, size_t output) {
+  const uint32_t attachment = pass.attachments[output];
+  const bool varying = attachment >= kFirstVarying && attachment < kFirstVarying + plan.varyings;
+  const bool again = plan.alphaToCoverage && output == 0 && !pass.primitives;
+  return plan.resolve && varying && !again;
 }
 
 }  // namespace rasterdiff::vkref

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "scene/built_ins.hpp"
 #include "vkref/commands.hpp"
+#include "vkref/depth_values.hpp"
 #include "vkref/huge_pages.hpp"
 #include "vkref/vk_error.hpp"
 #include "vkref/vk_struct.hpp"
@@ -40,36 +42,48 @@ void recordHostBarrier(const Context& context, VkCommandBuffer commands) {
 
 /// A plane of the plan's extents without any data yet, and room for all of it.
 template <class T>
-Plane<T> emptyPlane(const RenderPlan& plan, uint32_t components) {
+Plane<T> emptyPlane(const RenderPlan& plan, uint32_t samples, uint32_t components) {
   Plane<T> plane;
   plane.width = plan.width;
   plane.height = plan.height;
-  plane.samples = plan.samples;
+  plane.samples = samples;
   plane.components = components;
-  plane.data.reserve(size_t{plan.width} * plan.height * plan.samples * components);
+  plane.data.reserve(size_t{plan.width} * plan.height * samples * components);
   adviseHugePages(plane.data.data(), plane.data.capacity() * sizeof(T));
   return plane;
 }
 
 /// The values at `from` as a plane, `stride` of them a sample; a single copy where they lie tight.
 template <class T>
-Plane<T> copyPlane(const RenderPlan& plan, const std::byte* from, uint32_t components, uint32_t stride) {
-  Plane<T> plane = emptyPlane<T>(plan, components);
-  const size_t samples = size_t{plan.width} * plan.height * plan.samples;
+Plane<T> copyPlane(const RenderPlan& plan, uint32_t samples, const std::byte* from, uint32_t components,
+                   uint32_t stride) {
+  Plane<T> plane = emptyPlane<T>(plan, samples, components);
+  const size_t count = size_t{plan.width} * plan.height * samples;
   const T* values = reinterpret_cast<const T*>(from);
   if (stride == components) {
-    plane.data.assign(values, values + samples * components);
+    plane.data.assign(values, values + count * components);
     return plane;
   }
-  plane.data.resize(samples * components);
+  plane.data.resize(count * components);
   T* to = plane.data.data();
-  for (size_t i = 0; i < samples; ++i, to += components, values += stride) std::copy_n(values, components, to);
+  for (size_t i = 0; i < count; ++i, to += components, values += stride) std::copy_n(values, components, to);
+  return plane;
+}
+
+Plane<float> depthPlane(const RenderPlan& plan, const std::byte* from, uint32_t stride) {
+  if (plan.samples > 1) {
+    Plane<float> plane = copyPlane<float>(plan, plan.samples, from, 1, stride);
+    restoreFetchedDepths(plan.depth, plane.data);
+    return plane;
+  }
+  Plane<float> plane = emptyPlane<float>(plan, 1, 1);
+  plane.data = copiedDepths(plan.depth, from, size_t{plan.width} * plan.height);
   return plane;
 }
 
 /// Counts that were summed as floats. Error: NotOffered where a sum has stopped being exact.
 Result<Plane<uint32_t>> countPlane(const RenderPlan& plan, const std::byte* from, uint32_t stride) {
-  Plane<uint32_t> plane = emptyPlane<uint32_t>(plan, 1);
+  Plane<uint32_t> plane = emptyPlane<uint32_t>(plan, plan.samples, 1);
   plane.data.resize(size_t{plan.width} * plan.height * plan.samples);
   const float* counts = reinterpret_cast<const float*>(from);
   bool exact = true;
@@ -84,61 +98,72 @@ Result<Plane<uint32_t>> countPlane(const RenderPlan& plan, const std::byte* from
   return plane;
 }
 
+/// Reserves a place for each image and counts its bytes.
+VkDeviceSize placePlanes(const RenderPlan& plan, const Attachments& attachments, Readback& readback, RenderCost& cost) {
+  VkDeviceSize bytes = 0;
+  const auto place = [&](const Image& image, uint32_t components) {
+    const Image::Key& key = image.key;
+    const VkDeviceSize texels = VkDeviceSize{key.width} * key.height * key.samples;
+    PlaneLocation location;
+    location.offset = bytes;
+    location.stride = key.samples == 1 ? static_cast<uint32_t>(std::max<VkDeviceSize>(texelBytes(key.format) / 4, 1))
+                                       : unpackedComponents(key.samples, components);
+    const VkDeviceSize size = texels * (key.samples == 1 ? copiedBytes(key.format) : location.stride * 4);
+    cost.readbackBytes += size;
+    bytes += (size + kPlaneAlignment - 1) / kPlaneAlignment * kPlaneAlignment;
+    return location;
+  };
+  for (size_t i = 0; i < plan.color.size(); ++i) {
+    readback.color.push_back(place(*attachments.color[i], plan.color[i].components));
+  }
+  for (size_t v = 0; v < attachments.resolved.size(); ++v) {
+    readback.resolved.push_back(place(*attachments.resolved[v], plan.color[kFirstVarying + v].components));
+  }
+  if (attachments.depth) readback.depth = place(*attachments.depth, 1);
+  return bytes;
+}
+
+/// Brings an image from its attachment layout to the one that its transfer reads.
+VkImageMemoryBarrier2 transferBarrier(const Image& image) {
+  const bool depth = isDepthFormat(image.key.format), copied = image.key.samples == 1;
+  return imageBarrier(image, depth ? kDepthStages : VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+                      depth ? VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT : VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
+                      attachmentLayout(image.key.format),
+                      copied ? VK_PIPELINE_STAGE_2_COPY_BIT : VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                      copied ? VK_ACCESS_2_TRANSFER_READ_BIT : VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
+                      copied ? VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+}
+
 }  // namespace
 
 Result<Readback> recordReadback(const Context& context, VkCommandBuffer commands, const RenderPlan& plan,
                                 const Attachments& attachments, Pool<Buffer>& buffers, Unpack& unpack,
                                 RenderCost& cost) {
-  const bool copies = plan.samples == 1;
   Readback readback;
-  VkDeviceSize bytes = 0;
-  const auto place = [&](uint32_t components, VkFormat format) {
-    PlaneLocation location;
-    location.offset = bytes;
-    location.stride = copies ? texelComponents(format) : unpackedComponents(plan.samples, components);
-    const VkDeviceSize size = VkDeviceSize{plan.width} * plan.height * plan.samples * location.stride * 4;
-    cost.readbackBytes += size;
-    bytes += (size + kPlaneAlignment - 1) / kPlaneAlignment * kPlaneAlignment;
-    return location;
-  };
-  for (const AttachmentPlan& color : plan.color) readback.color.push_back(place(color.components, color.format));
-  if (plan.depth) readback.depth = place(1, kDepthFormat);
-
+  const VkDeviceSize bytes = placePlanes(plan, attachments, readback, cost);
   Result<Pool<Buffer>::Lease> buffer =
       acquireBuffer(buffers, bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
   if (!buffer) return tl::unexpected(buffer.error());
   readback.buffer = std::move(*buffer);
 
-  const VkPipelineStageFlags2 stage =
-      copies ? VK_PIPELINE_STAGE_2_COPY_BIT : VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
-  const VkAccessFlags2 access = copies ? VK_ACCESS_2_TRANSFER_READ_BIT : VK_ACCESS_2_SHADER_SAMPLED_READ_BIT;
-  const VkImageLayout layout =
-      copies ? VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+  std::vector<std::pair<const Image*, const PlaneLocation*>> planes;
+  for (size_t i = 0; i < plan.color.size(); ++i) planes.emplace_back(attachments.color[i].get(), &readback.color[i]);
+  for (size_t v = 0; v < attachments.resolved.size(); ++v) {
+    planes.emplace_back(attachments.resolved[v].get(), &readback.resolved[v]);
+  }
+  if (attachments.depth) planes.emplace_back(attachments.depth.get(), &readback.depth);
   std::vector<VkImageMemoryBarrier2> barriers;
-  for (const Pool<Image>::Lease& image : attachments.color) {
-    barriers.push_back(imageBarrier(*image, VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
-                                    VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-                                    stage, access, layout));
-  }
-  if (attachments.depth) {
-    barriers.push_back(imageBarrier(*attachments.depth, kDepthStages, VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
-                                    VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, stage, access, layout));
-  }
+  for (const auto& [image, location] : planes) barriers.push_back(transferBarrier(*image));
   recordBarriers(context, commands, barriers);
 
   if (const Result<void> reset = unpack.reset(); !reset) return tl::unexpected(reset.error());
-  const auto record = [&](const Image& image, const PlaneLocation& location) -> Result<void> {
-    const VkBuffer to = readback.buffer->buffer.get();
-    if (!copies) return unpack.record(commands, image, location.stride, to, location.offset);
-    recordCopy(context, commands, image, to, location.offset);
-    return {};
-  };
-  for (size_t i = 0; i < plan.color.size(); ++i) {
-    const Result<void> recorded = record(*attachments.color[i], readback.color[i]);
-    if (!recorded) return tl::unexpected(recorded.error());
-  }
-  if (attachments.depth) {
-    const Result<void> recorded = record(*attachments.depth, readback.depth);
+  const VkBuffer to = readback.buffer->buffer.get();
+  for (const auto& [image, location] : planes) {
+    if (image->key.samples == 1) {
+      recordCopy(context, commands, *image, to, location->offset);
+      continue;
+    }
+    const Result<void> recorded = unpack.record(commands, *image, location->stride, to, location->offset);
     if (!recorded) return tl::unexpected(recorded.error());
   }
   recordHostBarrier(context, commands);
@@ -147,21 +172,34 @@ Result<Readback> recordReadback(const Context& context, VkCommandBuffer commands
 
 Result<Frame> frameOf(const Scene& scene, const RenderPlan& plan, const Readback& readback) {
   const std::byte* mapped = readback.buffer->mapped;
-  const auto plane = [&]<class T>(T, uint32_t components, const PlaneLocation& location) {
-    return copyPlane<T>(plan, mapped + location.offset, components, location.stride);
+  const auto plane = [&]<class T>(T, uint32_t samples, uint32_t components, const PlaneLocation& location) {
+    return copyPlane<T>(plan, samples, mapped + location.offset, components, location.stride);
   };
   Frame frame;
   frame.width = plan.width;
   frame.height = plan.height;
   frame.samples = plan.samples;
-  frame.primitive = plane(uint32_t{}, 1, readback.color[0]);
+  frame.primitive = plane(uint32_t{}, plan.samples, 1, readback.color[0]);
   Result<Plane<uint32_t>> counts = countPlane(plan, mapped + readback.color[1].offset, readback.color[1].stride);
   if (!counts) return tl::unexpected(counts.error());
   frame.count = std::move(*counts);
-  if (plan.depth) frame.depth = plane(float{}, 1, readback.depth);
-  for (size_t i = 2; i < plan.color.size(); ++i) {
-    const std::string& name = scene.draws.front().varyings[i - 2].name;
-    frame.varyings.push_back({name, plane(float{}, plan.color[i].components, readback.color[i]), std::nullopt});
+  if (plan.depth != VK_FORMAT_UNDEFINED) {
+    frame.depth = depthPlane(plan, mapped + readback.depth.offset, readback.depth.stride);
+  }
+  for (size_t i = kFirstVarying; i < plan.color.size(); ++i) {
+    const size_t v = i - kFirstVarying;
+    const uint32_t components = plan.color[i].components;
+    std::string name(v < plan.varyings ? std::string_view(scene.draws.front().varyings[v].name)
+                                       : builtInName(scene.builtIns[v - plan.varyings]));
+    frame.varyings.push_back(
+        {std::move(name), plane(float{}, plan.samples, components, readback.color[i]), std::nullopt});
+    if (v >= plan.varyings || !scene.target.resolve) continue;
+    if (plan.resolve) {
+      frame.resolved.push_back(
+          {frame.varyings.back().name, plane(float{}, 1, components, readback.resolved[v]), std::nullopt});
+    } else {
+      frame.resolved.push_back(frame.varyings.back());
+    }
   }
   return frame;
 }

@@ -16,12 +16,13 @@ struct PlaneLocation {
 
 struct Readback {
   Pool<Buffer>::Lease buffer;
-  std::vector<PlaneLocation> color;  ///< as RenderPlan::color
+  std::vector<PlaneLocation> color;     ///< as RenderPlan::color
+  std::vector<PlaneLocation> resolved;  ///< as Attachments::resolved
   PlaneLocation depth;
 };
 
 /// Records the transfer of all attachments into one host-visible buffer, from the layouts that recordDraws leaves:
-/// by copies at one sample, by `unpack` at several. Adds to `cost`. Error: DeviceLost, NotOffered (memory).
+/// by copies at one sample and of what was resolved, by `unpack` at several. Adds to `cost`. Error: DeviceLost, NotOffered (memory).
 [[nodiscard]] Result<Readback> recordReadback(const Context& context, VkCommandBuffer commands, const RenderPlan& plan,
                                               const Attachments& attachments, Pool<Buffer>& buffers, Unpack& unpack,
                                               RenderCost& cost);

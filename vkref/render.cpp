@@ -34,7 +34,8 @@ Result<Frame> draw(const Scene& scene, Device::Impl& impl) {
   if (const Result<void> offered = checkOffered(scene, plan, context.caps); !offered) {
     return tl::unexpected(offered.error());
   }
-  const PrimitiveSource primitives = context.caps.geometryShader ? PrimitiveSource::Builtin : PrimitiveSource::Vertex;
+  const PrimitiveSource primitives =
+      context.caps.core().geometryShader ? PrimitiveSource::Builtin : PrimitiveSource::Vertex;
   Result<Geometry> geometry = upload(scene, primitives == PrimitiveSource::Vertex, *impl.buffers);
   if (!geometry) return tl::unexpected(geometry.error());
   Result<Attachments> attachments = acquireAttachments(plan, *impl.images, cost);

@@ -133,7 +133,9 @@ int finish(const CheckOptions& options, const Report& report) {
   if (const Result<void> written = writeOutputs(options, report); !written) {
     return complain(written.error(), "rasterdiff check --help");
   }
-  if (!options.report.empty()) fmt::print("report   {}\n", options.report);
+  for (const auto& [what, path] : {std::pair{"report", &options.report}, {"results", &options.json}}) {
+    if (!path->empty()) fmt::print("{:<9} {}\n", what, *path);
+  }
   const int status = exitStatus(report);
   if (status == 0) return 0;
   std::fflush(stdout);

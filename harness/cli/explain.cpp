@@ -60,7 +60,7 @@ Result<Explanation> explainWith(const Scene& scene, const rasterizer::Rules& rul
     if (!verdict) return tl::unexpected(verdict.error());
     driver->verdict = std::move(*verdict);
   }
-  return Explanation{scene, rules, query, std::move(*sample), std::move(*reference), std::move(driver)};
+  return Explanation{options.scene, scene, rules, query, std::move(*sample), std::move(*reference), std::move(driver)};
 }
 
 /// In the driver's process: '1' if the sample differs, '0' if not, then the text.
@@ -95,9 +95,8 @@ int runVerb(const ExplainOptions& options) {
   }
   const Result<Job> job = selectScene(options.scene);
   if (!job) return complain(job.error(), nextCommand(job.error(), "explain"));
-  Result<Scene> scene = job->make();
+  const Result<Scene> scene = job->make();
   if (!scene) return complain(scene.error(), nextCommand(scene.error(), "explain"));
-  scene->name = job->address;
   if (const Result<void> valid = validate(*scene); !valid) return complain(valid.error(), "rasterdiff explain --help");
   if (const Result<void> inside = checkPlace(*scene, options); !inside) {
     return complain(inside.error(), "rasterdiff explain --help");

@@ -58,9 +58,8 @@ int runVerb(const RenderOptions& options) {
   }
   const Result<Job> job = selectScene(options.scene);
   if (!job) return complain(job.error(), nextCommand(job.error(), "render"));
-  Result<Scene> scene = job->make();
+  const Result<Scene> scene = job->make();
   if (!scene) return complain(scene.error(), nextCommand(scene.error(), "render"));
-  scene->name = job->address;
   const Result<std::string> written =
       options.withDriver
           ? isolated(watchdogSeconds(options.choice.timeoutSeconds), [&] { return renderDriver(*scene, options); })

@@ -62,7 +62,7 @@ Result<Pictures> picturesOf(const Frame& reference, const Frame& actual, const S
 
 uint64_t primitivesOf(const Scene& scene) {
   uint64_t primitives = 0;
-  for (const Draw& draw : scene.draws) primitives += primitiveCount(scene.state.topology, vertexCount(draw));
+  for (const Draw& draw : scene.draws) primitives += primitiveCount(scene.state, draw);
   return primitives;
 }
 
@@ -96,7 +96,6 @@ Result<void> drawAndCompare(SceneEntry& entry, const Job& job, Subject& subject,
   entering("scene");
   Result<Scene> scene = job.make();
   if (!scene) return tl::unexpected(scene.error());
-  scene->name = job.id;
   if (Result<void> valid = validate(*scene); !valid) return valid;
   entry.width = scene->target.width;
   entry.height = scene->target.height;

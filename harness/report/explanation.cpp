@@ -120,7 +120,7 @@ std::string explanationText(const Explanation& e) {
   std::string text;
   const auto out = std::back_inserter(text);
   const SampleExplanation& sample = e.sample;
-  fmt::format_to(out, "scene       {}, {} x {} pixels, {}\n", e.scene.name, e.scene.target.width, e.scene.target.height,
+  fmt::format_to(out, "scene       {}, {} x {} pixels, {}\n", e.address, e.scene.target.width, e.scene.target.height,
                  counted(e.scene.target.samples, "sample"));
   fmt::format_to(out, "sample      {} of pixel ({}, {}), at {} = ({}, {})/256{}\n", e.query.sample, e.query.x, e.query.y,
                  place(sample.position), sample.position.x, sample.position.y,

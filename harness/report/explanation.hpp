@@ -17,6 +17,7 @@ struct DriverAnswer {
 };
 
 struct Explanation {
+  std::string address;  ///< as it was typed
   const Scene& scene;
   const rasterizer::Rules& rules;
   rasterizer::SampleQuery query;

@@ -34,6 +34,13 @@ std::string numbersOf(const SceneEntry& entry) {
   std::string text = fmt::format("{} samples", grouped(result.samples));
   if (result.differing > 0) text += fmt::format("<br>{} differ", grouped(result.differing));
   if (result.allowed > 0) text += fmt::format("<br>{} allowed", grouped(result.allowed));
+  uint64_t values = 0, differing = 0;
+  for (const ValueStats& value : result.values) {
+    values += value.compared;
+    differing += value.differing;
+  }
+  if (values > 0) text += fmt::format("<br>{} values", grouped(values));
+  if (differing > 0) text += fmt::format(", {} differ", grouped(differing));
   return text;
 }
 

@@ -12,13 +12,13 @@ namespace {
 
 /// How much an entry wants attention.
 int urgency(const SceneEntry& entry) {
-  if (entry.error) return 5;
-  if (entry.result.baseline == BaselineStatus::Improved) return 3;
-  if (entry.result.baseline == BaselineStatus::ExpectedDiff) return 2;
+  if (entry.error) return 6;
+  if (entry.result.baseline == BaselineStatus::Improved) return 4;
+  if (entry.result.baseline == BaselineStatus::ExpectedDiff) return 3;
   switch (entry.result.verdict) {
-    case Verdict::Crashed: return 7;
-    case Verdict::TimedOut: return 6;
-    case Verdict::Differs: return 4;
+    case Verdict::Crashed: return 8;
+    case Verdict::TimedOut: return 7;
+    case Verdict::Differs: return 5;
     case Verdict::Skipped: return 2;
     case Verdict::Allowed: return 1;
     case Verdict::Same: return 0;

@@ -58,14 +58,12 @@ void writeCounts(Out out, std::string_view label, const std::map<std::string, ui
   fmt::format_to(out, "{:<10}", label);
   size_t column = kIndent;
   for (size_t i = 0; i < sorted.size(); ++i) {
-    const std::string item = fmt::format("{} {}{}", rules ? ruleName(sorted[i].first) : sorted[i].first,
+    const std::string item = fmt::format("{}{} {}{}", column > kIndent ? " " : "", rules ? ruleName(sorted[i].first) : sorted[i].first,
                                          grouped(sorted[i].second), i + 1 < sorted.size() ? "," : "");
-    if (column > kIndent && column + item.size() > kWidth) {
-      fmt::format_to(out, "\n{:{}}", "", kIndent);
-      column = kIndent;
-    }
-    fmt::format_to(out, "{} ", item);
-    column += item.size() + 1;
+    const bool fold = column > kIndent && column + item.size() > kWidth;
+    if (fold) fmt::format_to(out, "\n{:{}}", "", kIndent);
+    fmt::format_to(out, "{}", fold ? item.substr(1) : item);
+    column = (fold ? kIndent - 1 : column) + item.size();
   }
   *out++ = '\n';
 }
@@ -92,10 +90,10 @@ void writeValues(Out out, const Totals& totals) {
     std::string worst;
     const auto at = totals.worstAt.find(value.name);
     if (value.worst && value.maxUlp > 0 && at != totals.worstAt.end()) {
-      worst = fmt::format("{} {} {} --sample {}", shellQuoted(at->second), value.worst->x, value.worst->y,
+      worst = fmt::format("  {} {} {} --sample {}", shellQuoted(at->second), value.worst->x, value.worst->y,
                           value.worst->sample);
     }
-    fmt::format_to(out, "{:<14} {:>13} {:>13} {:>13} {:>9} {:>10} {:>9.3g} {:>11.3g}  {}\n", value.name,
+    fmt::format_to(out, "{:<14} {:>13} {:>13} {:>13} {:>9} {:>10} {:>9.3g} {:>11.3g}{}\n", value.name,
                    grouped(value.compared), grouped(value.same), grouped(value.allowed), grouped(value.differing),
                    ulps(value.maxUlp), value.meanUlp, value.maxRatio, worst);
   }
@@ -170,9 +168,13 @@ void writeSkips(Out out, const Report& report) {
 }
 
 void writeExpected(Out out, const Report& report) {
+  std::map<std::string, std::vector<std::string>> scenesOfReason;
   for (const SceneEntry& entry : report.scenes) {
     if (entry.error || entry.result.baseline != BaselineStatus::ExpectedDiff) continue;
-    fmt::format_to(out, "Expected  {}: {} ({})\n", entry.address, entry.result.baselineReason, entry.result.reason);
+    scenesOfReason[entry.result.baselineReason].push_back(entry.address);
+  }
+  for (const auto& [reason, scenes] : scenesOfReason) {
+    fmt::format_to(out, "Expected  {}\n          {}\n", reason, fmt::join(scenes, ", "));
   }
 }
 

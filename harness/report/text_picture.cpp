@@ -48,23 +48,23 @@ class Letters {
   std::map<uint32_t, char> letter_;
 };
 
+std::string withoutTrailingSpaces(std::string line) {
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line;
+}
+
 /// Words with commas between them, folded at 100 columns and indented by 8.
 std::string folded(const std::vector<std::string>& words) {
   constexpr size_t kWidth = 100;
   std::string text, line(8, ' ');
   for (size_t i = 0; i < words.size(); ++i) {
     if (line.size() > 8 && line.size() + words[i].size() > kWidth) {
-      text += line + "\n";
+      text += withoutTrailingSpaces(line) + "\n";
       line.assign(8, ' ');
     }
     line += words[i] + (i + 1 < words.size() ? ", " : "");
   }
   return text + line + "\n";
-}
-
-std::string withoutTrailingSpaces(std::string line) {
-  line.erase(line.find_last_not_of(' ') + 1);
-  return line;
 }
 
 }  // namespace

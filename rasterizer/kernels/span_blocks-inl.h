@@ -55,18 +55,19 @@ HWY_INLINE void Bounds(const B& b, size_t i, size_t s, V r, V& left, V& right) {
   right = kSide == 0 ? hn::Min(p, q) : a;
 }
 
-/// One block of each small triangle of a list; kFirst = its first row, counted from the first block.
-template <size_t kSide, size_t kFirst, size_t kSamples>
-HWY_INLINE void DrawSmall(const Batch<kSamples>& b, const typename Batch<kSamples>::List& list, const SpanTarget& target) {
+/// The blocks of small triangles in their kBlockRow-th block row.
+template <size_t kSide, size_t kBlockRow, size_t kSamples>
+HWY_INLINE void DrawSmall(const Batch<kSamples>& b, const SpanTarget& target) {
+  const auto& list = b.small[kBlockRow][kSide];
   const size_t samples = kSamples == 0 ? target.samples : kSamples;
-  uint64_t* const words = target.words + (kFirst == 0 ? 0 : static_cast<size_t>(target.rowWords));
+  uint64_t* const words = target.words + kBlockRow * static_cast<size_t>(target.rowWords);
   for (size_t k = 0; k < list.size; ++k) {
     const size_t i = list.places[k];
     uint64_t* HWY_RESTRICT block = words + b.block[i];
     for (size_t s = 0; s < samples; ++s)
       for (size_t row = 0; row < 8; row += kLanes) {
         V left, right;
-        Bounds<kSide>(b, i, s, hn::Iota(D(), static_cast<double>(kFirst + row)), left, right);
+        Bounds<kSide>(b, i, s, hn::Iota(D(), static_cast<double>(8 * kBlockRow + row)), left, right);
         AddBetween(left, right, block + s * 8 + row);
       }
   }

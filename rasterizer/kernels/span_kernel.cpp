@@ -24,14 +24,13 @@ namespace HWY_NAMESPACE {
 template <size_t kSide, size_t kSamples>
 HWY_INLINE void DrawSide(const Batch<kSamples>& b, const SnappedTriangle* HWY_RESTRICT t, const SpanTarget& target,
                          uint32_t* HWY_RESTRICT rows, Pixels& pixels) {
-  DrawSmall<kSide, 0, kSamples>(b, b.one[kSide], target);
-  DrawSmall<kSide, 8, kSamples>(b, b.two[kSide], target);
+  DrawSmall<kSide, 0, kSamples>(b, target);
+  DrawSmall<kSide, 1, kSamples>(b, target);
+  DrawSmall<kSide, 2, kSamples>(b, target);
+  DrawSmall<kSide, 3, kSamples>(b, target);
   if (b.medium[kSide].size > 0) DrawMedium<kSide, kSamples>(b, b.medium[kSide], target);
   for (size_t k = 0; k < b.large[kSide].size; ++k) DrawLarge<kSide, kSamples>(b, b.large[kSide].places[k], target);
-  for (size_t k = 0; k < b.thin[kSide].size; ++k) {
-    const size_t i = b.thin[kSide].places[k];
-    DrawThin<kSide, kSamples>(b, i, t[i], target, rows, pixels);
-  }
+  if (b.thin[kSide].size > 0) DrawThin<kSide, kSamples>(b, t, target, rows, pixels);
 }
 
 template <size_t kSamples>
@@ -39,7 +38,7 @@ void DrawBatches(std::span<const SnappedTriangle> triangles, const SpanTarget& t
   using B = Batch<kSamples>;
   B b;
   Pixels pixels;
-  std::vector<uint32_t> rows(static_cast<size_t>(target.height) + 64);
+  std::vector<uint32_t> rows(2 * (static_cast<size_t>(target.height) + kThinExtra));
   for (size_t first = 0; first < triangles.size(); first += B::kSize) {
     const size_t size = std::min(B::kSize, triangles.size() - first);
     const SnappedTriangle* HWY_RESTRICT t = triangles.data() + first;

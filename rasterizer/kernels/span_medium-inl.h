@@ -16,17 +16,16 @@ namespace HWY_NAMESPACE {
 /// A touched block: place in the batch | block row << 16 | window << 32.
 struct Touched {
   static constexpr size_t kSize = 1024, kRoom = kSize - 16;
-  size_t size = 0;
   uint64_t codes[kSize];
 };
 
 template <size_t kSide, size_t kSamples>
-HWY_NOINLINE void DrawTouched(const Batch<kSamples>& b, Touched& touched, const SpanTarget& target) {
+HWY_NOINLINE void DrawTouched(const Batch<kSamples>& b, const Touched& touched, size_t size, const SpanTarget& target) {
   const D d;
   const size_t samples = kSamples == 0 ? target.samples : kSamples;
   const auto rowWords = static_cast<size_t>(target.rowWords);
   const size_t windowWords = 2 * static_cast<size_t>(target.blockWords);
-  for (size_t k = 0; k < touched.size; ++k) {
+  for (size_t k = 0; k < size; ++k) {
     const uint64_t code = touched.codes[k];
     const size_t i = code & 0xFFFF, blockRow = code >> 16 & 0xFFFF, window = code >> 32;
     uint64_t* HWY_RESTRICT block = target.words + b.block[i] + blockRow * rowWords + window * windowWords;
@@ -38,7 +37,6 @@ HWY_NOINLINE void DrawTouched(const Batch<kSamples>& b, Touched& touched, const 
         AddBetween(left - x, right - x, block + s * 8 + row);
       }
   }
-  touched.size = 0;
 }
 
 template <size_t kSide, size_t kSamples>
@@ -46,6 +44,7 @@ void DrawMedium(const Batch<kSamples>& b, const typename Batch<kSamples>::Long& 
   const D d;
   const DU du;
   Touched touched;
+  size_t size = 0;
   const V two52 = hn::Set(d, 4503599627370496.0);  // doubles from here hold an integer in their low bits
   const auto lane16 = hn::ShiftLeft<16>(hn::Iota(du, 0));
   for (size_t k = 0; k < list.size; ++k) {
@@ -57,13 +56,16 @@ void DrawMedium(const Batch<kSamples>& b, const typename Batch<kSamples>::Long& 
     V window = range.begin + two52;
     auto code = hn::ShiftLeft<32>(hn::BitCast(du, window)) + lane16 + hn::Set(du, block << 16 | i);
     for (size_t w = 0; w < 3 || HWY_UNLIKELY(!hn::AllFalse(d, hn::Lt(window, end))); ++w) {
-      Append(code, hn::Lt(window, end), touched.codes, touched.size);
+      Append(code, hn::Lt(window, end), touched.codes, size);
       window = window + hn::Set(d, 1);
       code = code + hn::Set(du, uint64_t{1} << 32);
-      if (HWY_UNLIKELY(touched.size > Touched::kRoom)) DrawTouched<kSide>(b, touched, target);
+      if (HWY_UNLIKELY(size > Touched::kRoom)) {
+        DrawTouched<kSide>(b, touched, size, target);
+        size = 0;
+      }
     }
   }
-  DrawTouched<kSide>(b, touched, target);
+  DrawTouched<kSide>(b, touched, size, target);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -11,17 +11,18 @@
 // The kernel evaluates t = slope·r + offset in doubles, slope = dx/dy, offset = (N(0) - 1/2)/D + 1/2; then ceil(N/D) is t
 // rounded to nearest, and t is at least g = 1/(2D) = 2^-9/dy away from a tie of that rounding.
 //
-// The proof. Let all |coordinates| <= R = 2^22 (kFastRange; 16,384 px), u = 2^-53, and r, x count from the first block that
-// the triangle touches inside the target, so |r| <= 2^15, |window x| <= 2^15.
-//   Exact: differences (<= 2^23 + 2^12), products (< 2^47), N(0) (< 2^48), N(0) - 1/2, 1/256 (power of two).
-//   q = fl(1/dy): one rounding; slope = fl(dx q): two; offset = fl(fl((N - 1/2)(q/256)) + 1/2): at most four, each relative to
-//   at most |offset| + 1; t: two more (one with FMA; instruction sets without it round the product too, which is counted).
-//   |error| <= u (3 |slope r| + 4 (|offset| + 1) + |t|)(1 + 2^-40) <= 8u (|t| + |offset| + 1), as |slope r| <= |t| + |offset|.
-//   The result is clamped to a window, so it can only be wrong where the true |t| <= 2^15 + 1 (elsewhere a relative error of
-//   2^-40 keeps t on its side of the clamp), and |offset| <= |xa - X0|/256 + |dx/dy|·2^15 <= 2^16 + 2^15·2^15/(dy/256).
-//   With dy <= 2^23:  dy·|error| <= 2^-50 (2^15·2^23 + 2^16·2^23 + 2^38 + 2^24) < 2^-50·2^41 = 2^-9... see kSlack: the box of
-//   the triangle and the target meet, so |r| <= 2^14 + 8 in fact and dy·|error| < 2^-10 < g·dy = 2^-9.
-// Beyond kFastRange a triangle goes to integer_spans.cpp. tests/rasterizer/kernels check the bound at its limits.
+// The proof. Let all |coordinates| <= 2^22 (kFastRange: 16,384 px) and u = 2^-53. Rows r and pixels count from the corner of
+// the first block that the triangle touches inside the target: 0 <= r < 2^14 + 16.
+// Exact in doubles: differences of coordinates (<= 2^23 + 2^8), products (< 2^47), N(0) (< 2^48), N(0) - 1/2, scaling by 1/256.
+// Roundings: q = fl(1/dy) one; slope = dx q two; slope·r three (an instruction set with FMA skips one, which only helps);
+// offset = (N(0) - 1/2)(q/256) + 1/2 three, relative to |offset| + 1; t one more. As |slope·r| <= |t| + |offset|,
+//   error <= u (4|t| + 6|offset| + 3), up to factors 1 + 2^-50.
+//   |offset| <= (2^15 + 1)(1 + 2^23/dy), from |xa - 256 X0| <= 2^23 + 2^8 and |256 Y0 + sy - ya| <= 2^23 + 2^8, |dx| <= 2^23.
+// Windows end before 2^14 + 64 px, and what lies outside a window is clamped to its side. So either |t| <= 2^14 + 128 and
+//   dy·error <= 2^-53 (2^39.1 + 2^41.6 + 2^25) < 2^-11, less than g·dy = 2^-9 with dy <= 2^23: the rounding is right;
+// or |t| is larger and the error is below 2^-10 (1 + |t|/2^40): it stays on its side. Moving t to a window (t - 64 w) is exact
+// where the result is positive, for both are multiples of the last bit of t; else it is clamped.
+// Beyond kFastRange a triangle goes to integer_spans.cpp. span_kernel_test.cpp looks for flips at these limits.
 #if defined(RASTERDIFF_SPAN_SETUP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERDIFF_SPAN_SETUP_INL_H
 #undef RASTERDIFF_SPAN_SETUP_INL_H
@@ -66,14 +67,14 @@ struct Batch {
   alignas(64) double slope[3][kSize];              // A, B, C in pixels a row
   alignas(64) double offset[kCapacity][3][kSize];  // pixels from the first block's corner, + 1/2
   alignas(64) int32_t block[kSize];                // words from the mask's start to the first block
-  alignas(64) int32_t firstRow[kSize], endRow[kSize], firstColumn[kSize], endColumn[kSize];  // clipped box, pixels
+  alignas(64) int32_t firstRow[kSize], endRow[kSize];  // clipped box, pixels
+  alignas(64) int32_t columns[kSize];                  // pixels from the first block's to the box's end
   struct Long {
     size_t size = 0;
     uint64_t places[kSize * kGroups + 8];
   };
   // Places in the batch by class and side (0: A is the left bound, 1: the right bound).
-  List one[2];     // everything in one block column, at most two block rows
-  List two[2];     // those of them that reach the second block row
+  List small[4][2];  // in one block column; which reach the first, second, third, fourth block row
   List thin[2];    // nowhere wider than a pixel, all inside the target
   Long medium[2];  // few windows wide: group of kLanes block rows << 16 | place
   List large[2];
@@ -81,7 +82,8 @@ struct Batch {
 
   void Clear() {
     for (size_t side = 0; side < 2; ++side)
-      one[side].size = two[side].size = thin[side].size = medium[side].size = large[side].size = 0;
+      for (List* list : {&small[0][side], &small[1][side], &small[2][side], &small[3][side], &thin[side], &large[side]}) list->size = 0;
+    medium[0].size = medium[1].size = 0;
     far.size = 0;
   }
 };
@@ -156,7 +158,10 @@ HWY_INLINE void SetUp(const SnappedTriangle* HWY_RESTRICT t, size_t base, const 
   const V firstColumn = hn::Max(hn::Ceil((minX - hn::Set(d, target.maxX)) * pixel), zero);
   const V endColumn = hn::Min(hn::Ceil((maxX - hn::Set(d, target.minX)) * pixel), hn::Set(d, target.width));
   const V blockRow = hn::Floor(firstRow * hn::Set(d, 1.0 / 8));
-  const V halfColumn = hn::Floor(firstColumn * hn::Set(d, 1.0 / 32));
+  // Wide triangles keep off the scratch blocks: less memory to touch.
+  const M wide = hn::Gt(endColumn - firstColumn, hn::Set(d, 128));
+  const V evenColumn = hn::Floor(firstColumn * hn::Set(d, 1.0 / 64)) * hn::Set(d, 2);
+  const V halfColumn = hn::IfThenElse(wide, evenColumn, hn::Floor(firstColumn * hn::Set(d, 1.0 / 32)));
   const V cornerX = halfColumn * hn::Set(d, 32), cornerY = blockRow * hn::Set(d, 8);
 
   const V dxA = c.x[2] - c.x[0], dyA = c.y[2] - c.y[0];
@@ -196,18 +201,22 @@ HWY_INLINE void SetUp(const SnappedTriangle* HWY_RESTRICT t, size_t base, const 
   StoreInt(hn::MulAdd(blockRow, hn::Set(d, target.rowWords), halfColumn * hn::Set(d, target.blockWords)), b.block + base);
   StoreInt(firstRow, b.firstRow + base);
   StoreInt(endRow, b.endRow + base);
-  StoreInt(firstColumn, b.firstColumn + base);
-  StoreInt(endColumn, b.endColumn + base);
+  StoreInt(endColumn - cornerX, b.columns + base);
 
   const V down = endRow - cornerY, across = endColumn - cornerX;  // rows and columns of the first block and beyond
-  const M small = hn::And(hn::Le(across, hn::Set(d, 64)), hn::Le(down, hn::Set(d, 16)));
-  const M second = hn::Gt(down, hn::Set(d, 8));
+  const M small = hn::And(hn::Le(across, hn::Set(d, 64)), hn::Le(down, hn::Set(d, 32)));
+  const M side0 = hn::And(alive, hn::Gt(area, zero)), side1 = hn::And(alive, hn::Lt(area, zero));
   const auto places = hn::Iota(DU(), 0) + hn::Set(DU(), base);
-  for (size_t side = 0; side < 2; ++side) {
-    const M mine = hn::And(alive, side == 0 ? hn::Gt(area, zero) : hn::Lt(area, zero));
-    const M mineSmall = hn::And(mine, small);
-    Append(places, mineSmall, b.one[side].places, b.one[side].size);
-    Append(places, hn::And(mineSmall, second), b.two[side].places, b.two[side].size);
+  const auto appendSmall = [&](size_t reached, M which) {
+    Append(places, hn::And(side0, which), b.small[reached][0].places, b.small[reached][0].size);
+    Append(places, hn::And(side1, which), b.small[reached][1].places, b.small[reached][1].size);
+  };
+  appendSmall(0, small);
+  appendSmall(1, hn::And(small, hn::Gt(down, hn::Set(d, 8))));
+  const M third = hn::And(small, hn::Gt(down, hn::Set(d, 16)));
+  if (HWY_UNLIKELY(!hn::AllFalse(d, third))) {
+    appendSmall(2, third);
+    appendSmall(3, hn::And(small, hn::Gt(down, hn::Set(d, 24))));
   }
   const M rest = hn::AndNot(hn::And(small, near), inBox);
   if (HWY_LIKELY(hn::AllFalse(d, rest))) return;
@@ -217,7 +226,7 @@ HWY_INLINE void SetUp(const SnappedTriangle* HWY_RESTRICT t, size_t base, const 
                          hn::And(hn::Le(maxX, hn::Set(d, target.width * 256)), hn::Le(c.y[2], hn::Set(d, target.height * 256))));
   const M large = hn::Or(hn::Gt(across, hn::Set(d, 64 * kMediumWindows)), hn::Gt(down, hn::Set(d, kGroups * kGroupRows)));
   for (size_t side = 0; side < 2; ++side) {
-    const M mine = hn::And(hn::And(alive, rest), side == 0 ? hn::Gt(area, zero) : hn::Lt(area, zero));
+    const M mine = hn::And(rest, side == 0 ? side0 : side1);
     const M thick = hn::AndNot(thin, mine);
     Append(places, hn::And(mine, thin), b.thin[side].places, b.thin[side].size);
     const M moderate = hn::AndNot(large, thick);

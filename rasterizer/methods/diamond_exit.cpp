@@ -58,9 +58,11 @@ PixelIndex DiamondLine::at(int64_t major) const {
 bool DiamondLine::contains(int64_t dx, int64_t dy) const {
   const int64_t distance = std::abs(dx) + std::abs(dy);
   if (distance != kHalf) return distance < kHalf;
-  // Moved by -(ε, ε²), points on the right edges come in, those on the left edges and the top and bottom corners go out.
+  // Moved by -(ε, ε²), points on the right edges come in, those on the left edges and the top and bottom corners go
+  // out.
   if (rule_ == DiamondRule::Vulkan) return dx > 0;
-  return dy > 0 || (dy == 0 && dx > 0 && !xMajor_);
+  // The right corner is level with the centre: for y-major lines `hasLeft` never asks, and x-major ones do not own it.
+  return dy > 0;
 }
 
 /// Is an end of the segment (on the line, after moving) behind the place where the line leaves the diamond?

@@ -46,7 +46,7 @@ class DiamondLine {
   DiamondRule rule_;
   SubpixelPosition a_;
   bool xMajor_ = true;
-  int64_t direction_ = 1;      ///< of the major coordinate along the line
+  int64_t direction_ = 1;       ///< of the major coordinate along the line
   int64_t run_ = 0, rise_ = 0;  ///< major extent (> 0), minor extent over it, 1/256 pixel
   int64_t first_ = 0, count_ = 0;
 };

@@ -1,6 +1,6 @@
-// Green's theorem: the area of triangle ∩ {x ≤ X, y ≤ Y} is the sum of ∫ min(x(y), X) dy over the right edges, less that
-// over the left edges, as far as y ≤ Y; a pixel is four such corners. Each integral is an integer, plus h² dx / dy where
-// the edge itself bounds the area, plus k² dy / dx where it crosses x = X.
+// Green's theorem: the area of triangle ∩ {x ≤ X, y ≤ Y} is the sum of ∫ min(x(y), X) dy over the right edges, less
+// that over the left edges, as far as y ≤ Y; a pixel is four such corners. Each integral is an integer, plus h² dx / dy
+// where the edge itself bounds the area, plus k² dy / dx where it crosses x = X.
 #include "rasterizer/methods/exact_area.hpp"
 
 #include <algorithm>

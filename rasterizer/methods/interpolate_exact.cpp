@@ -13,8 +13,8 @@ long double interpolateExactly(const InterpolatedTriangle& triangle, SubpixelPos
   const std::array<int64_t, 3> weights = {doubleArea(p, b, c), doubleArea(a, p, c), doubleArea(a, b, p)};
   long double numerator = 0, denominator = 0;
   for (size_t i = 0; i < 3; ++i) {
-    const long double weight = perspective ? static_cast<long double>(weights[i]) / triangle.w[i]
-                                           : static_cast<long double>(weights[i]);
+    const long double weight =
+        perspective ? static_cast<long double>(weights[i]) / triangle.w[i] : static_cast<long double>(weights[i]);
     numerator += weight * triangle.value[i];
     denominator += weight;
   }

@@ -48,7 +48,8 @@ struct InterpolationMethod {
 
 /// The value in extended precision: integer edge functions Eᵢ, then Σ Eᵢ fᵢ / Σ Eᵢ, or Σ Eᵢ fᵢ/wᵢ / Σ Eᵢ/wᵢ.
 /// Relative error below 2^-58 for values and weights of one sign, so below 2^-33 ULP of float32.
-[[nodiscard]] long double interpolateExactly(const InterpolatedTriangle& triangle, SubpixelPosition p, bool perspective);
+[[nodiscard]] long double interpolateExactly(const InterpolatedTriangle& triangle, SubpixelPosition p,
+                                             bool perspective);
 
 /// |value - exact| in units of the last place of float32 at `exact`.
 [[nodiscard]] double ulpsFrom(long double exact, float value);

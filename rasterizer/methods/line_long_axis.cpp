@@ -16,7 +16,8 @@ Point inPixels(SubpixelPosition p) {
 }
 
 bool inOpenDiamond(const Point& p, PixelIndex pixel) {
-  return std::fabs(p[0] - (static_cast<float>(pixel.x) + 0.5f)) + std::fabs(p[1] - (static_cast<float>(pixel.y) + 0.5f)) <
+  return std::fabs(p[0] - (static_cast<float>(pixel.x) + 0.5f)) +
+             std::fabs(p[1] - (static_cast<float>(pixel.y) + 0.5f)) <
          0.5f;
 }
 
@@ -38,12 +39,16 @@ std::vector<PixelIndex> walk(Point a, Point b) {
 
 }  // namespace
 
-std::vector<PixelIndex> drawLineLongAxis(SubpixelPosition a, SubpixelPosition b) { return walk(inPixels(a), inPixels(b)); }
+std::vector<PixelIndex> drawLineLongAxis(SubpixelPosition a, SubpixelPosition b) {
+  return walk(inPixels(a), inPixels(b));
+}
 
 std::vector<PixelIndex> drawLineLongAxisTrimmed(SubpixelPosition a, SubpixelPosition b) {
   const Point ends[] = {inPixels(a), inPixels(b)};
   std::vector<PixelIndex> pixels = walk(ends[0], ends[1]);
-  const auto holdsAnEnd = [&](PixelIndex pixel) { return inOpenDiamond(ends[0], pixel) || inOpenDiamond(ends[1], pixel); };
+  const auto holdsAnEnd = [&](PixelIndex pixel) {
+    return inOpenDiamond(ends[0], pixel) || inOpenDiamond(ends[1], pixel);
+  };
   if (!pixels.empty() && holdsAnEnd(pixels.back())) pixels.pop_back();
   if (!pixels.empty() && holdsAnEnd(pixels.front())) pixels.erase(pixels.begin());
   return pixels;

@@ -15,8 +15,8 @@ namespace rasterdiff::rasterizer {
 /// others keep their fraction. A vertical line has no m and goes to the cases |m| > 1 with 1/m = 0.
 [[nodiscard]] std::vector<PixelIndex> drawLineFourOctants(SubpixelPosition a, SubpixelPosition b);
 
-/// "Nicer": one loop over the longer axis, the shorter coordinate computed at every pixel centre, both end pixels drawn.
-/// Equal extents take x as the longer axis, which the lecture leaves open.
+/// "Nicer": one loop over the longer axis, the shorter coordinate computed at every pixel centre, both end pixels
+/// drawn. Equal extents take x as the longer axis, which the lecture leaves open.
 [[nodiscard]] std::vector<PixelIndex> drawLineLongAxis(SubpixelPosition a, SubpixelPosition b);
 
 /// "Even nicer" with the simple half of the lecture's task: an end pixel goes if its end lies inside its open diamond.

@@ -10,7 +10,7 @@ namespace rasterdiff::rasterizer {
 
 [[nodiscard]] inline MethodRow measuredRow(std::string family, std::string method, bool hard, std::string inputs,
                                            const ErrorSum& errors, uint64_t wrongSamples) {
-  return {std::move(family), std::move(method), hard,         std::move(inputs), errors.cases,
+  return {std::move(family), std::move(method), hard,          std::move(inputs), errors.cases,
           wrongSamples,      errors.max,        errors.mean(), errors.rms()};
 }
 

@@ -2,9 +2,9 @@
 // themselves. The same seed gives the same inputs everywhere.
 #pragma once
 
+#include "rasterizer/kernels/snapped_triangle.hpp"
 #include "rasterizer/methods/interpolation_methods.hpp"
 #include "rasterizer/methods/polygon.hpp"
-#include "rasterizer/kernels/snapped_triangle.hpp"
 #include "scene/generators/prng.hpp"
 
 namespace rasterdiff::rasterizer {

@@ -12,9 +12,9 @@ namespace rasterdiff::rasterizer {
 /// One method on one set of inputs. The unit of the errors is the family's (`methodFamilies`).
 struct MethodRow {
   std::string family, method;
-  bool hard = false;          ///< friendly or hard
-  std::string inputs;         ///< what the cases are
-  uint64_t cases = 0;         ///< polygons, lines, interpolated values, pixels or columns
+  bool hard = false;   ///< friendly or hard
+  std::string inputs;  ///< what the cases are
+  uint64_t cases = 0;  ///< polygons, lines, interpolated values, pixels or columns
   uint64_t wrongSamples = 0;
   double maxError = 0, meanError = 0, rmsError = 0;  ///< over the cases
 };

@@ -1,25 +1,26 @@
 #include "rasterizer/methods/polygon.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdlib>
-#include <string>
 
 namespace rasterdiff::rasterizer {
 
 Result<void> checkPolygon(const Polygon& polygon, int32_t width, int32_t height) {
   if (width < 1 || height < 1 || width > kMaxMaskExtent || height > kMaxMaskExtent) {
-    return fail(ErrorCode::BadInput, "polygon", "the mask has " + std::to_string(width) + " × " + std::to_string(height) +
-                " pixels", "give 1 to " + std::to_string(kMaxMaskExtent) + " pixels a side");
+    return fail(ErrorCode::BadInput, "polygon", fmt::format("the mask has {} × {} pixels", width, height),
+                fmt::format("give 1 to {} pixels a side", kMaxMaskExtent));
   }
   const size_t count = polygon.vertices.size();
   if (count < 3 || count > kMaxPolygonVertices) {
-    return fail(ErrorCode::BadInput, "polygon", "it has " + std::to_string(count) + " vertices",
-                "give 3 to " + std::to_string(kMaxPolygonVertices) + " vertices");
+    return fail(ErrorCode::BadInput, "polygon", fmt::format("it has {} vertices", count),
+                fmt::format("give 3 to {} vertices", kMaxPolygonVertices));
   }
   for (size_t i = 0; i < count; ++i) {
     const SubpixelPosition p = polygon.vertices[i];
     if (std::abs(int64_t{p.x}) > kMaxPolygonCoordinate || std::abs(int64_t{p.y}) > kMaxPolygonCoordinate) {
-      return fail(ErrorCode::BadInput, "polygon vertex " + std::to_string(i), "a coordinate is out of range",
-                  "keep within ±" + std::to_string(kMaxPolygonCoordinate / kSubpixelOne) + " pixels");
+      return fail(ErrorCode::BadInput, fmt::format("polygon vertex {}", i), "a coordinate is out of range",
+                  fmt::format("keep within ±{} pixels", kMaxPolygonCoordinate / kSubpixelOne));
     }
   }
   return {};

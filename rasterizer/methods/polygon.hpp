@@ -35,9 +35,9 @@ inline constexpr int32_t kMaxMaskExtent = 1 << 14;
   return rule == FillRule::EvenOdd ? windingNumber % 2 != 0 : windingNumber != 0;
 }
 
-/// How often the contour runs around `p` (1/256 pixel), clockwise to the eye counted positive. A point on an edge counts
-/// as the point (ε, ε²) further right and down, so that left and top edges own their points and a triangle covers
-/// what edge functions with top-left ties say. [choice:tie-owner]
+/// How often the contour runs around `p` (1/256 pixel), clockwise to the eye counted positive. A point on an edge
+/// counts as the point (ε, ε²) further right and down, so that left and top edges own their points and a triangle
+/// covers what edge functions with top-left ties say. [choice:tie-owner]
 [[nodiscard]] int32_t windingNumber(const Polygon& polygon, SubpixelPosition p);
 
 /// Asks for every pixel centre: the exact answer that the other methods are measured against.

@@ -11,7 +11,8 @@ namespace rasterdiff::rasterizer {
 /// Scanline with an edge table: every edge enters the active list at its first row of pixel centres and carries its
 /// crossing from row to row as an integer quotient and remainder; between sorted crossings the winding number is
 /// constant. Exact for every polygon. Source: lecture "Scan Conversion"; exact increments as in Bresenham 1965.
-[[nodiscard]] Result<PixelMask> drawPolygonScanline(const Polygon& polygon, FillRule rule, int32_t width, int32_t height);
+[[nodiscard]] Result<PixelMask> drawPolygonScanline(const Polygon& polygon, FillRule rule, int32_t width,
+                                                    int32_t height);
 
 /// The same with crossings in float32, a pixel filled where its centre is between two of them: what the lecture's text
 /// gives when it is typed in as it stands. Wrong near and on edges.

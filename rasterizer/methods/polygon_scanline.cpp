@@ -10,11 +10,11 @@ namespace {
 /// An edge while the scanline meets it. The first pixel whose centre is at or right of the crossing is
 /// x = ⌈(crossing - 128) / 256⌉, kept as quotient and remainder: (crossing - 128) / 256 = x - rest / divisor.
 struct ActiveEdge {
-  int32_t firstRow = 0, endRow = 0;   ///< rows whose centre lies in [upper end, lower end)
-  int32_t winding = 0;                ///< +1 for an edge that goes up, whose inside is to the right
-  int64_t x = 0, rest = 0;            ///< rest in 0 .. divisor - 1
-  int64_t stepX = 0, stepRest = 0;    ///< dx / dy pixels a row = stepX - stepRest / divisor
-  int64_t divisor = 1;                ///< 256 dy  // ≤ 2^37
+  int32_t firstRow = 0, endRow = 0;  ///< rows whose centre lies in [upper end, lower end)
+  int32_t winding = 0;               ///< +1 for an edge that goes up, whose inside is to the right
+  int64_t x = 0, rest = 0;           ///< rest in 0 .. divisor - 1
+  int64_t stepX = 0, stepRest = 0;   ///< dx / dy pixels a row = stepX - stepRest / divisor
+  int64_t divisor = 1;               ///< 256 dy  // ≤ 2^37
 
   void nextRow() {
     x += stepX;

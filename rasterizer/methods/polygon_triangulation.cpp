@@ -1,12 +1,12 @@
 #include "rasterizer/methods/polygon_triangulation.hpp"
 
 #include <GL/glu.h>
+#include <fmt/format.h>
 
 #include <array>
 #include <cmath>
 #include <deque>
 #include <memory>
-#include <string>
 
 #include "rasterizer/edge_function.hpp"
 #include "rasterizer/methods/polygon_methods.hpp"
@@ -75,7 +75,7 @@ Result<Triangulation> triangulate(const Polygon& polygon, FillRule rule) {
   gluTessEndContour(tessellator.get());
   gluTessEndPolygon(tessellator.get());
   if (collector.error != 0) {
-    return fail(ErrorCode::BadInput, "polygon", "the tessellator gave up (error " + std::to_string(collector.error) + ")",
+    return fail(ErrorCode::BadInput, "polygon", fmt::format("the tessellator gave up (error {})", collector.error),
                 "draw it with the scanline method");
   }
 

@@ -77,7 +77,8 @@ double farCheckerboardMean(int32_t x, int32_t y) {
   for (double depth = std::ceil(kDepthScale / (top - kHorizon)) - 1; top < bottom; --depth) {
     const double strip = depth > 0 ? std::min(bottom, kHorizon + kDepthScale / depth) : bottom;
     const double nodes = std::max(kFewestNodes, std::ceil((strip - top) * kNodesAPixel));
-    for (double i = 0; i < nodes; ++i) total += checkerRow(x, top + (strip - top) * (i + 0.5) / nodes) * (strip - top) / nodes;
+    for (double i = 0; i < nodes; ++i)
+      total += checkerRow(x, top + (strip - top) * (i + 0.5) / nodes) * (strip - top) / nodes;
     top = strip;
   }
   return total;

@@ -1,5 +1,7 @@
 #include "rasterizer/methods/svg_markup.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace rasterdiff::rasterizer {
@@ -90,7 +92,7 @@ Result<std::vector<SvgTag>> svgTags(std::string_view text) {
     if (skipped != std::end(kSkipped)) {
       const size_t start = cursor.at;
       cursor.at += skipped->begin.size();
-      if (!cursor.skipPast(skipped->end)) return cursor.error(start, "'" + std::string(skipped->begin) + "' is not closed");
+      if (!cursor.skipPast(skipped->end)) return cursor.error(start, fmt::format("'{}' is not closed", skipped->begin));
       continue;
     }
     Result<SvgTag> tag = startTag(cursor);
@@ -104,7 +106,7 @@ std::string svgPlace(std::string_view text, size_t offset) {
   const std::string_view before = text.substr(0, offset);
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
   const size_t lineStart = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
-  return "svg:" + std::to_string(line) + ":" + std::to_string(offset - lineStart + 1);
+  return fmt::format("svg:{}:{}", line, offset - lineStart + 1);
 }
 
 }  // namespace rasterdiff::rasterizer

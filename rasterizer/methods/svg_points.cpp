@@ -1,5 +1,7 @@
 #include "rasterizer/methods/svg_points.hpp"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <string>
 
@@ -24,7 +26,7 @@ struct Reader {
     while (isSpace(peek())) ++at;
   }
   [[nodiscard]] tl::unexpected<Error> error(size_t position, std::string what, std::string hint) const {
-    return fail(ErrorCode::BadInput, "points:" + std::to_string(position + 1), std::move(what), std::move(hint));
+    return fail(ErrorCode::BadInput, fmt::format("points:{}", position + 1), std::move(what), std::move(hint));
   }
 };
 
@@ -70,7 +72,7 @@ Result<std::vector<SvgPoint>> parseSvgPoints(std::string_view text) {
     x = *value;
     haveX = !haveX;
     reader.spaces();
-    if (reader.peek() == ',' ) {
+    if (reader.peek() == ',') {
       ++reader.at;
       reader.spaces();
       if (reader.done()) return reader.error(reader.at, "the list ends with a comma", "remove it or add a number");

@@ -1,7 +1,8 @@
 #include "rasterizer/methods/svg_polygon.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <string>
 
 #include "rasterizer/methods/polygon_triangulation.hpp"
 #include "rasterizer/methods/svg_markup.hpp"
@@ -23,7 +24,7 @@ Result<SvgPolygon> polygonOf(std::string_view svg, const SvgTag& tag) {
     result.fillRule = rule->value == "evenodd" ? FillRule::EvenOdd : FillRule::NonZero;
   }
   const auto placed = [&](Error error) {
-    error.where = svgPlace(svg, points->at) + " (" + error.where + ")";
+    error.where = fmt::format("{} ({})", svgPlace(svg, points->at), error.where);
     return tl::unexpected<Error>(std::move(error));
   };
   const Result<std::vector<SvgPoint>> list = parseSvgPoints(points->value);
@@ -42,8 +43,8 @@ Result<Polygon> polygonFromPoints(std::span<const SvgPoint> points) {
   for (size_t i = 0; i < points.size(); ++i) {
     const double x = std::nearbyint(points[i].x * kSubpixelOne), y = std::nearbyint(points[i].y * kSubpixelOne);
     if (!(std::fabs(x) <= kMaxPolygonCoordinate && std::fabs(y) <= kMaxPolygonCoordinate)) {
-      return fail(ErrorCode::BadInput, "point " + std::to_string(i), "a coordinate is out of range",
-                  "keep within ±" + std::to_string(kMaxPolygonCoordinate / kSubpixelOne) + " pixels");
+      return fail(ErrorCode::BadInput, fmt::format("point {}", i), "a coordinate is out of range",
+                  fmt::format("keep within ±{} pixels", kMaxPolygonCoordinate / kSubpixelOne));
     }
     polygon.vertices.push_back({static_cast<int32_t>(x), static_cast<int32_t>(y)});
   }
@@ -58,7 +59,7 @@ Result<std::vector<SvgPolygon>> parseSvgPolygons(std::string_view svg) {
   for (const SvgTag& tag : *tags) {
     for (const std::string_view moving : {"transform", "viewBox"}) {
       if (const SvgAttribute* found = tag.find(moving); found != nullptr) {
-        return fail(ErrorCode::BadInput, svgPlace(svg, found->at), "'" + std::string(moving) + "' is not understood",
+        return fail(ErrorCode::BadInput, svgPlace(svg, found->at), fmt::format("'{}' is not understood", moving),
                     "write the polygon in pixels");
       }
     }
@@ -82,7 +83,7 @@ Result<Scene> polygonScene(std::span<const SvgPolygon> polygons, uint32_t width,
     const Result<Triangulation> parts = triangulate(polygons[i].polygon, polygons[i].fillRule);
     if (!parts) return tl::unexpected(parts.error());
     if (parts->triangles.empty()) {
-      return fail(ErrorCode::BadInput, "polygon " + std::to_string(i), "it covers no area", "give three points apart");
+      return fail(ErrorCode::BadInput, fmt::format("polygon {}", i), "it covers no area", "give three points apart");
     }
     Draw& draw = scene.draws.emplace_back();
     draw.positions.reserve(parts->triangles.size() * 3);

@@ -62,7 +62,8 @@ void useDepth(Scene& scene, CompareOp op, bool write, float clear) {
 void addVarying(Scene& scene, const std::string& name, Interpolation interpolation, uint32_t components) {
   uint32_t step = 0;
   for (Draw& draw : scene.draws) {
-    Varying& varying = draw.varyings.emplace_back(Varying{name, interpolation, components, {}});
+    Varying& varying =
+        draw.varyings.emplace_back(Varying{.name = name, .interpolation = interpolation, .components = components});
     for (size_t i = 0; i < draw.positions.size() * components; ++i) {
       step = (step * 29 + 17) % 1009;  // a prime modulus: neighbours differ, no value repeats for long
       varying.values.push_back(static_cast<float>(step) / 1009.0f - 0.25f);

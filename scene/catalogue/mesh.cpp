@@ -31,7 +31,7 @@ Result<Scene> bunny(const View& view, uint32_t samples) {
   if (!projection) return tl::unexpected(projection.error());
   Scene scene = target(kWidth, kHeight, samples);
   useDepth(scene);
-  const Varying normal{"normal", Interpolation::smooth, 3, {}};
+  const Varying normal{.name = "normal", .components = 3};
   scene.draws.push_back(meshDraw(*mesh, *projection * *camera, {&normal, 1}));
   return scene;
 }

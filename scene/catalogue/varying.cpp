@@ -1,4 +1,6 @@
 // Values between vertices: perspective-correct, linear on the screen, or the provoking vertex's.
+#include <fmt/format.h>
+
 #include "scene/catalogue/build.hpp"
 
 namespace rasterdiff::families {
@@ -71,13 +73,13 @@ void addVaryings(Entries& entries) {
              [] { return with(Interpolation::noperspective, true, 2, 4); });
   family.add("flat", "a flat value is a vertex's, bit by bit", {"R11"}, [] { return with(Interpolation::flat, true); });
   for (uint32_t components : {1u, 2u, 3u}) {
-    family.add("components-" + std::to_string(components), "a value of fewer than four components", rules,
+    family.add(fmt::format("components-{}", components), "a value of fewer than four components", rules,
                [components] { return with(Interpolation::smooth, true, components); });
   }
   family.add("eight", "as many varyings as there may be, of all kinds", {"R11", "R21"}, [] {
     Scene scene = pair(true);
     for (uint32_t i = 0; i < kMaxVaryings; ++i)
-      addVarying(scene, "v" + std::to_string(i), static_cast<Interpolation>(i % 3));
+      addVarying(scene, fmt::format("v{}", i), static_cast<Interpolation>(i % 3));
     return scene;
   });
   family.add("with-depth", "values and depth in one scene, the nearer wins", {"R21", "R22", "R38"}, [] {

@@ -1,12 +1,32 @@
 #include "scene/file/enum_names.hpp"
 
+#include "scene/built_ins.hpp"
+
 namespace rasterdiff {
 
 template <>
 std::span<const EnumName<PrimitiveTopology>> enumNames() {
   using enum PrimitiveTopology;
   static constexpr EnumName<PrimitiveTopology> kNames[] = {
+      {"POINT_LIST", POINT_LIST},       {"LINE_LIST", LINE_LIST},           {"LINE_STRIP", LINE_STRIP},
       {"TRIANGLE_LIST", TRIANGLE_LIST}, {"TRIANGLE_STRIP", TRIANGLE_STRIP}, {"TRIANGLE_FAN", TRIANGLE_FAN}};
+  return kNames;
+}
+
+template <>
+std::span<const EnumName<PolygonMode>> enumNames() {
+  using enum PolygonMode;
+  static constexpr EnumName<PolygonMode> kNames[] = {{"FILL", FILL}, {"LINE", LINE}, {"POINT", POINT}};
+  return kNames;
+}
+
+template <>
+std::span<const EnumName<LineRasterizationMode>> enumNames() {
+  using enum LineRasterizationMode;
+  static constexpr EnumName<LineRasterizationMode> kNames[] = {{"DEFAULT", DEFAULT},
+                                                               {"RECTANGULAR", RECTANGULAR},
+                                                               {"BRESENHAM", BRESENHAM},
+                                                               {"RECTANGULAR_SMOOTH", RECTANGULAR_SMOOTH}};
   return kNames;
 }
 
@@ -49,7 +69,12 @@ std::span<const EnumName<CompareOp>> enumNames() {
 
 template <>
 std::span<const EnumName<DepthFormat>> enumNames() {
-  static constexpr EnumName<DepthFormat> kNames[] = {{"D32_SFLOAT", DepthFormat::D32_SFLOAT}};
+  using enum DepthFormat;
+  static constexpr EnumName<DepthFormat> kNames[] = {{"D16_UNORM", D16_UNORM},
+                                                     {"X8_D24_UNORM_PACK32", X8_D24_UNORM_PACK32},
+                                                     {"D32_SFLOAT", D32_SFLOAT},
+                                                     {"D24_UNORM_S8_UINT", D24_UNORM_S8_UINT},
+                                                     {"D32_SFLOAT_S8_UINT", D32_SFLOAT_S8_UINT}};
   return kNames;
 }
 
@@ -57,7 +82,18 @@ template <>
 std::span<const EnumName<Interpolation>> enumNames() {
   using enum Interpolation;
   static constexpr EnumName<Interpolation> kNames[] = {
-      {"smooth", smooth}, {"noperspective", noperspective}, {"flat", flat}};
+      {"smooth", smooth},     {"noperspective", noperspective}, {"flat", flat},
+      {"centroid", centroid}, {"sample", sample},               {"offset", offset}};
+  return kNames;
+}
+
+template <>
+std::span<const EnumName<BuiltIn>> enumNames() {
+  using enum BuiltIn;
+  static constexpr EnumName<BuiltIn> kNames[] = {
+      {builtInName(FragCoord), FragCoord},   {builtInName(FrontFacing), FrontFacing},
+      {builtInName(PointCoord), PointCoord}, {builtInName(SampleMask), SampleMask},
+      {builtInName(SampleId), SampleId},     {builtInName(SamplePosition), SamplePosition}};
   return kNames;
 }
 

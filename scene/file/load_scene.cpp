@@ -58,8 +58,9 @@ bool checkScene(Reader& reader, const JsonValue& root, const Scene& scene, bool 
 }
 
 bool readScene(Reader& reader, const JsonValue& root, const std::string& fileName, Scene& scene) {
-  static constexpr std::array<std::string_view, 9> kFields{"$schema", "name",  "target", "viewport",      "scissor",
-                                                           "camera",  "state", "draws",  "allowNonFinite"};
+  static constexpr std::array<std::string_view, 11> kFields{
+      "$schema", "name",  "target",   "viewport", "scissor",       "furtherViewports",
+      "camera",  "state", "builtIns", "draws",    "allowNonFinite"};
   if (!reader.object(root, "scene", kFields, {"target", "draws"})) return false;
   std::string ignored;
   if (const auto v = root.member("$schema"); v && !reader.text(*v, ignored)) return false;
@@ -71,6 +72,10 @@ bool readScene(Reader& reader, const JsonValue& root, const std::string& fileNam
   scene.viewport.height = static_cast<float>(scene.target.height);
   if (const auto v = root.member("viewport"); v && !readViewport(reader, *v, scene.viewport)) return false;
   if (const auto v = root.member("scissor"); v && !readScissor(reader, *v, scene.scissor.emplace())) return false;
+  if (const auto v = root.member("furtherViewports"); v && !readFurtherViewports(reader, *v, scene.furtherViewports)) {
+    return false;
+  }
+  if (const auto v = root.member("builtIns"); v && !readBuiltIns(reader, *v, scene.builtIns)) return false;
   if (const auto v = root.member("state"); v && !readState(reader, *v, scene.state)) return false;
   if (!checkScene(reader, root, scene, true)) return false;
   DrawContext context{scene, std::nullopt, folderOf(fileName)};

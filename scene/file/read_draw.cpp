@@ -46,6 +46,8 @@ bool readPositions(Reader& reader, const JsonValue& value, Space space, const Dr
   draw.positions.resize(value.size());
   JsonValue vertex = value.first();
   std::vector<double> n;
+  const auto& further = context.scene.furtherViewports;
+  const Viewport& viewport = draw.viewportIndex == 0 ? context.scene.viewport : further[draw.viewportIndex - 1].viewport;
   for (ClipPosition& position : draw.positions) {
     switch (space) {
       case Space::Clip:
@@ -58,7 +60,7 @@ bool readPositions(Reader& reader, const JsonValue& value, Space space, const Dr
       case Space::Pixels:
         if (!reader.numbers(vertex, "a position in pixels", 2, 4, n)) return false;
         position =
-            clipFromPixels(context.scene.viewport, {n[0], n[1], n.size() > 2 ? n[2] : 0, n.size() > 3 ? n[3] : 1});
+            clipFromPixels(viewport, {n[0], n[1], n.size() > 2 ? n[2] : 0, n.size() > 3 ? n[3] : 1});
         break;
     }
     vertex = vertex.next();
@@ -66,40 +68,51 @@ bool readPositions(Reader& reader, const JsonValue& value, Space space, const Dr
   return true;
 }
 
-/// Each vertex's value is a number or an array of 1 to 4 numbers, all alike.
-bool readValues(Reader& reader, const JsonValue& value, bool allowNonFinite, Varying& varying) {
-  if (!reader.array(value, "values")) return false;
+/// Each vertex has a number or an array of 1 to `most` numbers, all alike; `count` is how many.
+bool readArrays(Reader& reader, const JsonValue& value, std::string_view what, uint32_t most, bool allowNonFinite,
+                uint32_t& count, std::vector<float>& out) {
+  if (!reader.array(value, what)) return false;
   JsonValue vertex = value.first();
   for (uint32_t i = 0; i < value.size(); ++i, vertex = vertex.next()) {
     const bool isArray = vertex.kind() == JsonKind::Array;
     const uint32_t components = isArray ? vertex.size() : 1;
-    if (components < 1 || components > 4) {
-      return reader.fail(vertex, fmt::format("a value of {} components", components), "1 to 4");
+    if (components < 1 || components > most) {
+      return reader.fail(vertex, fmt::format("{} of {} components", what, components), fmt::format("1 to {}", most));
     }
-    if (i == 0) varying.components = components;
-    if (components != varying.components) {
-      return reader.fail(vertex,
-                         fmt::format("{} components where the first vertex has {}", components, varying.components));
+    if (i == 0) count = components;
+    if (components != count) {
+      return reader.fail(vertex, fmt::format("{} components where the first vertex has {}", components, count));
     }
     JsonValue number = isArray ? vertex.first() : vertex;
     for (uint32_t c = 0; c < components; ++c, number = number.next()) {
-      if (!reader.float32(number, varying.values.emplace_back(), allowNonFinite)) return false;
+      if (!reader.float32(number, out.emplace_back(), allowNonFinite)) return false;
     }
   }
   return true;
 }
 
+bool readOffset(Reader& reader, const JsonValue& varying, Varying& out) {
+  const auto offset = varying.member("offset");
+  const bool asked = out.interpolation == Interpolation::offset;
+  if (!offset) return !asked || reader.fail(varying, "varying without 'offset'", "[x, y] in pixels from the centre");
+  if (!asked) return reader.fail(*offset, "an offset without it as interpolation", "set \"interpolation\": \"offset\"");
+  if (!reader.array(*offset, "offset")) return false;
+  if (offset->size() != 2) return reader.fail(*offset, fmt::format("an offset of {} numbers", offset->size()), "[x, y]");
+  return reader.float32(offset->first(), out.offsetX) && reader.float32(offset->first().next(), out.offsetY);
+}
+
 bool readVarying(Reader& reader, const JsonValue& value, bool ofMesh, bool allowNonFinite, Varying& varying) {
-  static constexpr std::array<std::string_view, 3> kFields{"name", "interpolation", "values"};
+  static constexpr std::array<std::string_view, 4> kFields{"name", "interpolation", "offset", "values"};
   if (!reader.object(value, "varying", kFields, {"name"})) return false;
   if (!reader.text(*value.member("name"), varying.name)) return false;
   if (const auto v = value.member("interpolation");
       v && !reader.enumerant(*v, "interpolation", varying.interpolation)) {
     return false;
   }
+  if (!readOffset(reader, value, varying)) return false;
   const auto values = value.member("values");
   if (!ofMesh) {
-    return values ? readValues(reader, *values, allowNonFinite, varying)
+    return values ? readArrays(reader, *values, "a value", 4, allowNonFinite, varying.components, varying.values)
                   : reader.fail(value, "varying without 'values'", "one value for every position");
   }
   if (values) return reader.fail(*values, "a mesh brings its own values", "leave 'values' out");
@@ -155,17 +168,52 @@ bool readMesh(Reader& reader, const JsonValue& value, const DrawContext& context
   return true;
 }
 
+/// In range already: pixels are those of this viewport.
+bool readViewportIndex(Reader& reader, const JsonValue& draw, const DrawContext& context, Draw& out) {
+  const auto value = draw.member("viewportIndex");
+  if (!value) return true;
+  if (!reader.unsigned32(*value, out.viewportIndex)) return false;
+  const size_t viewports = 1 + context.scene.furtherViewports.size();
+  return out.viewportIndex < viewports ||
+         reader.fail(*value, fmt::format("viewport {} but only {}", out.viewportIndex, viewports),
+                     "0 is viewport, 1 the first of furtherViewports");
+}
+
+bool readPointSizes(Reader& reader, const JsonValue& draw, Draw& out) {
+  const auto value = draw.member("pointSizes");
+  if (!value) return true;
+  if (!reader.array(*value, "pointSizes")) return false;
+  if (value->size() == 0) return reader.fail(*value, "no sizes", "one for every position, or leave pointSizes out");
+  JsonValue size = value->first();
+  for (uint32_t i = 0; i < value->size(); ++i, size = size.next()) {
+    if (!reader.float32(size, out.pointSizes.emplace_back())) return false;
+  }
+  return true;
+}
+
+bool readDistances(Reader& reader, const JsonValue& draw, bool allowNonFinite, Draw& out) {
+  if (const auto v = draw.member("clipDistances");
+      v && !readArrays(reader, *v, "distances", kMaxDistances, allowNonFinite, out.clipDistanceCount,
+                       out.clipDistances)) {
+    return false;
+  }
+  const auto v = draw.member("cullDistances");
+  return !v || readArrays(reader, *v, "distances", kMaxDistances, allowNonFinite, out.cullDistanceCount,
+                          out.cullDistances);
+}
+
 }  // namespace
 
 bool readDraw(Reader& reader, const JsonValue& value, const DrawContext& context, Draw& draw) {
   if (value.member("mesh")) return readMesh(reader, value, context, draw);
-  static constexpr std::array<std::string_view, 6> kFields{"positions", "space", "indices",
-                                                           "varyings",  "mesh",  "transform"};
+  static constexpr std::array<std::string_view, 10> kFields{"positions",  "space",         "indices",       "varyings",
+                                                            "pointSizes", "clipDistances", "cullDistances", "mesh",
+                                                            "transform",  "viewportIndex"};
   if (!reader.object(value, "draw", kFields, {"positions"})) return false;
   if (const auto v = value.member("transform"))
     return reader.fail(*v, "'transform' without 'mesh'", "only meshes are transformed");
   Space space = Space::Clip;
-  if (!readSpace(reader, value, context, space)) return false;
+  if (!readViewportIndex(reader, value, context, draw) || !readSpace(reader, value, context, space)) return false;
   if (!readPositions(reader, *value.member("positions"), space, context, draw)) return false;
   if (const auto v = value.member("indices")) {
     if (!reader.array(*v, "indices")) return false;
@@ -176,7 +224,8 @@ bool readDraw(Reader& reader, const JsonValue& value, const DrawContext& context
       index = index.next();
     }
   }
-  return readVaryings(reader, value, false, context.scene.allowNonFinite, draw.varyings);
+  return readPointSizes(reader, value, draw) && readDistances(reader, value, context.scene.allowNonFinite, draw) &&
+         readVaryings(reader, value, false, context.scene.allowNonFinite, draw.varyings);
 }
 
 }  // namespace rasterdiff

@@ -14,6 +14,8 @@ namespace rasterdiff {
 bool readTarget(Reader& reader, const JsonValue& value, Target& target);
 bool readViewport(Reader& reader, const JsonValue& value, Viewport& viewport);
 bool readScissor(Reader& reader, const JsonValue& value, Rect2D& scissor);
+bool readFurtherViewports(Reader& reader, const JsonValue& value, std::vector<ViewportAndScissor>& out);
+bool readBuiltIns(Reader& reader, const JsonValue& value, std::vector<BuiltIn>& out);
 bool readState(Reader& reader, const JsonValue& value, State& state);
 
 /// World space to clip space. `aspect` is the viewport's width / |height|, the default of a fovY perspective.
@@ -22,7 +24,7 @@ bool readCamera(Reader& reader, const JsonValue& value, double aspect, bool nega
 
 /// What a draw needs of its scene.
 struct DrawContext {
-  const Scene& scene;                       ///< viewport and allowNonFinite
+  const Scene& scene;                       ///< viewports and allowNonFinite
   std::optional<glm::dmat4> clipFromWorld;  ///< none without a camera
   std::string folder;                       ///< of the scene file, with a '/' at the end; mesh paths start there
 };

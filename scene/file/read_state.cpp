@@ -1,4 +1,4 @@
-// Target, viewport, scissor and pipeline state of a scene file.
+// Target, viewports, scissors, built-ins and pipeline state of a scene file.
 #include <array>
 
 #include "scene/file/read_scene.hpp"
@@ -6,12 +6,14 @@
 namespace rasterdiff {
 
 bool readTarget(Reader& reader, const JsonValue& value, Target& target) {
-  static constexpr std::array<std::string_view, 5> kFields{"width", "height", "samples", "depthFormat",
-                                                           "depthClearValue"};
+  static constexpr std::array<std::string_view, 7> kFields{"width",   "height",      "samples",        "supersample",
+                                                           "resolve", "depthFormat", "depthClearValue"};
   if (!reader.object(value, "target", kFields, {"width", "height"})) return false;
   if (!reader.unsigned32(*value.member("width"), target.width)) return false;
   if (!reader.unsigned32(*value.member("height"), target.height)) return false;
   if (const auto v = value.member("samples"); v && !reader.unsigned32(*v, target.samples)) return false;
+  if (const auto v = value.member("supersample"); v && !reader.unsigned32(*v, target.supersample)) return false;
+  if (const auto v = value.member("resolve"); v && !reader.boolean(*v, target.resolve)) return false;
   if (const auto v = value.member("depthFormat")) {
     if (!reader.enumerant(*v, "depthFormat", target.depthFormat.emplace())) return false;
   }
@@ -39,10 +41,35 @@ bool readScissor(Reader& reader, const JsonValue& value, Rect2D& scissor) {
          reader.unsigned32(*value.member("height"), scissor.height);
 }
 
+bool readFurtherViewports(Reader& reader, const JsonValue& value, std::vector<ViewportAndScissor>& out) {
+  static constexpr std::array<std::string_view, 2> kFields{"viewport", "scissor"};
+  if (!reader.array(value, "furtherViewports")) return false;
+  JsonValue element = value.first();
+  for (uint32_t i = 0; i < value.size(); ++i, element = element.next()) {
+    ViewportAndScissor& further = out.emplace_back();
+    if (!reader.object(element, "further viewport", kFields, {"viewport"})) return false;
+    if (!readViewport(reader, *element.member("viewport"), further.viewport)) return false;
+    if (const auto v = element.member("scissor"); v && !readScissor(reader, *v, further.scissor.emplace())) return false;
+  }
+  return true;
+}
+
+bool readBuiltIns(Reader& reader, const JsonValue& value, std::vector<BuiltIn>& out) {
+  if (!reader.array(value, "builtIns")) return false;
+  JsonValue element = value.first();
+  for (uint32_t i = 0; i < value.size(); ++i, element = element.next()) {
+    if (!reader.enumerant(element, "built-in", out.emplace_back())) return false;
+  }
+  return true;
+}
+
 bool readState(Reader& reader, const JsonValue& value, State& state) {
-  static constexpr std::array<std::string_view, 8> kFields{
-      "topology",        "cullMode",         "frontFace",      "provokingVertexMode",
-      "depthTestEnable", "depthWriteEnable", "depthCompareOp", "negativeOneToOne"};
+  static constexpr std::array kFields = std::to_array<std::string_view>(
+      {"topology", "cullMode", "frontFace", "provokingVertexMode", "depthTestEnable", "depthWriteEnable",
+       "depthCompareOp", "negativeOneToOne", "primitiveRestartEnable", "polygonMode", "depthClampEnable",
+       "depthClipEnable", "depthBiasEnable", "depthBiasConstantFactor", "depthBiasClamp", "depthBiasSlopeFactor",
+       "lineWidth", "lineRasterizationMode", "stippledLineEnable", "lineStippleFactor", "lineStipplePattern",
+       "pointSize", "sampleMask", "sampleShadingEnable", "minSampleShading", "alphaToCoverageEnable"});
   if (!reader.object(value, "state", kFields)) return false;
   const auto named = [&](std::string_view field, auto& out) {
     const auto v = value.member(field);
@@ -52,10 +79,37 @@ bool readState(Reader& reader, const JsonValue& value, State& state) {
     const auto v = value.member(field);
     return !v || reader.boolean(*v, out);
   };
-  return named("topology", state.topology) && named("cullMode", state.cullMode) &&
-         named("frontFace", state.frontFace) && named("provokingVertexMode", state.provokingVertexMode) &&
-         flag("depthTestEnable", state.depthTestEnable) && flag("depthWriteEnable", state.depthWriteEnable) &&
-         named("depthCompareOp", state.depthCompareOp) && flag("negativeOneToOne", state.negativeOneToOne);
+  const auto number = [&](std::string_view field, float& out) {
+    const auto v = value.member(field);
+    return !v || reader.float32(*v, out);
+  };
+  const auto integer = [&](std::string_view field, uint32_t& out) {
+    const auto v = value.member(field);
+    return !v || reader.unsigned32(*v, out);
+  };
+  uint32_t pattern = state.lineStipplePattern;
+  const bool read =
+      named("topology", state.topology) && named("cullMode", state.cullMode) && named("frontFace", state.frontFace) &&
+      named("provokingVertexMode", state.provokingVertexMode) && flag("depthTestEnable", state.depthTestEnable) &&
+      flag("depthWriteEnable", state.depthWriteEnable) && named("depthCompareOp", state.depthCompareOp) &&
+      flag("negativeOneToOne", state.negativeOneToOne) &&
+      flag("primitiveRestartEnable", state.primitiveRestartEnable) && named("polygonMode", state.polygonMode) &&
+      flag("depthClampEnable", state.depthClampEnable) && flag("depthBiasEnable", state.depthBiasEnable) &&
+      number("depthBiasConstantFactor", state.depthBiasConstantFactor) &&
+      number("depthBiasClamp", state.depthBiasClamp) && number("depthBiasSlopeFactor", state.depthBiasSlopeFactor) &&
+      number("lineWidth", state.lineWidth) && named("lineRasterizationMode", state.lineRasterizationMode) &&
+      flag("stippledLineEnable", state.stippledLineEnable) && integer("lineStippleFactor", state.lineStippleFactor) &&
+      integer("lineStipplePattern", pattern) && number("pointSize", state.pointSize) &&
+      integer("sampleMask", state.sampleMask) && flag("sampleShadingEnable", state.sampleShadingEnable) &&
+      number("minSampleShading", state.minSampleShading) && flag("alphaToCoverageEnable", state.alphaToCoverageEnable);
+  if (!read) return false;
+  if (pattern > UINT16_MAX) {
+    return reader.fail(*value.member("lineStipplePattern"), fmt::format("{} has more than 16 bits", pattern),
+                       "0 .. 65535");
+  }
+  state.lineStipplePattern = static_cast<uint16_t>(pattern);
+  const auto clip = value.member("depthClipEnable");
+  return !clip || reader.boolean(*clip, state.depthClipEnable.emplace());
 }
 
 }  // namespace rasterdiff

@@ -1,6 +1,7 @@
 // Scene to text: clip space, one vertex a line, only fields that differ from their defaults.
 #include <fmt/format.h>
 
+#include <bit>
 #include <iterator>
 
 #include "scene/file/enum_names.hpp"
@@ -41,6 +42,8 @@ class Fields {
 
 void writeTarget(std::string& out, const Target& target) {
   out += fmt::format("{{\"width\": {}, \"height\": {}, \"samples\": {}", target.width, target.height, target.samples);
+  if (target.supersample != 1) out += fmt::format(", \"supersample\": {}", target.supersample);
+  if (target.resolve) out += ", \"resolve\": true";
   if (target.depthFormat) {
     out += fmt::format(", \"depthFormat\": \"{}\", \"depthClearValue\": {}", enumName(*target.depthFormat),
                        jsonNumber(target.depthClearValue));
@@ -48,36 +51,106 @@ void writeTarget(std::string& out, const Target& target) {
   out += "}";
 }
 
+void writeViewport(std::string& out, const Viewport& v) {
+  out += fmt::format("{{\"x\": {}, \"y\": {}, \"width\": {}, \"height\": {}, \"minDepth\": {}, \"maxDepth\": {}}}",
+                     jsonNumber(v.x), jsonNumber(v.y), jsonNumber(v.width), jsonNumber(v.height),
+                     jsonNumber(v.minDepth), jsonNumber(v.maxDepth));
+}
+
+void writeScissor(std::string& out, const Rect2D& s) {
+  out += fmt::format("{{\"x\": {}, \"y\": {}, \"width\": {}, \"height\": {}}}", s.x, s.y, s.width, s.height);
+}
+
+void writeFurtherViewports(std::string& out, const std::vector<ViewportAndScissor>& viewports) {
+  out += "[";
+  for (size_t i = 0; i < viewports.size(); ++i) {
+    out += i == 0 ? "\n    {\"viewport\": " : ",\n    {\"viewport\": ";
+    writeViewport(out, viewports[i].viewport);
+    if (const auto& scissor = viewports[i].scissor) {
+      out += ", \"scissor\": ";
+      writeScissor(out, *scissor);
+    }
+    out += "}";
+  }
+  out += "]";
+}
+
 void writeState(std::string& out, const State& state) {
   const State defaults;
   Fields field(out, ", ");
+  const auto named = [&](const char* name, auto value, auto usual) {
+    if (value != usual) field(name) += quoted(enumName(value));
+  };
   const auto flag = [&](const char* name, bool value) {
     if (value) field(name) += "true";
   };
+  // By its bits: a negative zero is written too.
+  const auto number = [&](const char* name, float value, float usual) {
+    if (std::bit_cast<uint32_t>(value) != std::bit_cast<uint32_t>(usual)) field(name) += jsonNumber(value);
+  };
+  const auto integer = [&](const char* name, uint32_t value, uint32_t usual) {
+    if (value != usual) field(name) += fmt::format("{}", value);
+  };
   out += "{";
   field("topology") += quoted(enumName(state.topology));
-  if (state.cullMode != defaults.cullMode) field("cullMode") += quoted(enumName(state.cullMode));
-  if (state.frontFace != defaults.frontFace) field("frontFace") += quoted(enumName(state.frontFace));
-  if (state.provokingVertexMode != defaults.provokingVertexMode) {
-    field("provokingVertexMode") += quoted(enumName(state.provokingVertexMode));
-  }
+  named("cullMode", state.cullMode, defaults.cullMode);
+  named("frontFace", state.frontFace, defaults.frontFace);
+  named("provokingVertexMode", state.provokingVertexMode, defaults.provokingVertexMode);
   flag("depthTestEnable", state.depthTestEnable);
   flag("depthWriteEnable", state.depthWriteEnable);
-  if (state.depthCompareOp != defaults.depthCompareOp)
-    field("depthCompareOp") += quoted(enumName(state.depthCompareOp));
+  named("depthCompareOp", state.depthCompareOp, defaults.depthCompareOp);
   flag("negativeOneToOne", state.negativeOneToOne);
+  flag("primitiveRestartEnable", state.primitiveRestartEnable);
+  named("polygonMode", state.polygonMode, defaults.polygonMode);
+  flag("depthClampEnable", state.depthClampEnable);
+  if (state.depthClipEnable) field("depthClipEnable") += *state.depthClipEnable ? "true" : "false";
+  flag("depthBiasEnable", state.depthBiasEnable);
+  number("depthBiasConstantFactor", state.depthBiasConstantFactor, defaults.depthBiasConstantFactor);
+  number("depthBiasClamp", state.depthBiasClamp, defaults.depthBiasClamp);
+  number("depthBiasSlopeFactor", state.depthBiasSlopeFactor, defaults.depthBiasSlopeFactor);
+  number("lineWidth", state.lineWidth, defaults.lineWidth);
+  named("lineRasterizationMode", state.lineRasterizationMode, defaults.lineRasterizationMode);
+  flag("stippledLineEnable", state.stippledLineEnable);
+  integer("lineStippleFactor", state.lineStippleFactor, defaults.lineStippleFactor);
+  integer("lineStipplePattern", state.lineStipplePattern, defaults.lineStipplePattern);
+  number("pointSize", state.pointSize, defaults.pointSize);
+  integer("sampleMask", state.sampleMask, defaults.sampleMask);
+  flag("sampleShadingEnable", state.sampleShadingEnable);
+  number("minSampleShading", state.minSampleShading, defaults.minSampleShading);
+  flag("alphaToCoverageEnable", state.alphaToCoverageEnable);
   out += "}";
 }
 
-void writeVarying(std::string& out, const Varying& varying) {
-  out += fmt::format("\n      {{\"name\": {}, \"interpolation\": {}, \"values\": [", quoted(varying.name),
-                     quoted(enumName(varying.interpolation)));
-  for (size_t i = 0; i < varying.values.size(); ++i) {
-    const size_t component = i % varying.components;
-    out += i == 0 ? "[" : component == 0 ? "], [" : ", ";
-    out += jsonNumber(varying.values[i]);
+/// [[1, 2], [3, 4]] for two vertices of two components.
+void writeArrays(std::string& out, const std::vector<float>& values, uint32_t components) {
+  out += "[";
+  for (size_t i = 0; i < values.size(); ++i) {
+    out += i == 0 ? "[" : i % components == 0 ? "], [" : ", ";
+    out += jsonNumber(values[i]);
   }
-  out += varying.values.empty() ? "]}" : "]]}";
+  out += values.empty() ? "]" : "]]";
+}
+
+void writeVarying(std::string& out, const Varying& varying) {
+  out += fmt::format("\n      {{\"name\": {}, \"interpolation\": {}, ", quoted(varying.name),
+                     quoted(enumName(varying.interpolation)));
+  if (varying.interpolation == Interpolation::offset) {
+    out += fmt::format("\"offset\": [{}, {}], ", jsonNumber(varying.offsetX), jsonNumber(varying.offsetY));
+  }
+  out += "\"values\": ";
+  writeArrays(out, varying.values, varying.components);
+  out += "}";
+}
+
+/// Elements with commas between them, each as `write` puts it.
+template <class T, class Write>
+void writeList(std::string& out, const std::vector<T>& list, const Write& write) {
+  out += "[";
+  for (size_t i = 0; i < list.size(); ++i) {
+    if (i > 0) out += ", ";
+    write(list[i]);
+  }
+  out += "]";
 }
 
 void writeDraw(std::string& out, const Draw& draw) {
@@ -91,12 +164,15 @@ void writeDraw(std::string& out, const Draw& draw) {
   }
   out += "]";
   if (draw.indices) {
-    field("indices") += "[";
-    for (size_t i = 0; i < draw.indices->size(); ++i) {
-      fmt::format_to(std::back_inserter(out), "{}{}", i == 0 ? "" : ", ", (*draw.indices)[i]);
-    }
-    out += "]";
+    const auto write = [&](uint32_t index) { fmt::format_to(std::back_inserter(out), "{}", index); };
+    writeList(field("indices"), *draw.indices, write);
   }
+  if (draw.viewportIndex != 0) field("viewportIndex") += fmt::format("{}", draw.viewportIndex);
+  if (!draw.pointSizes.empty()) {
+    writeList(field("pointSizes"), draw.pointSizes, [&](float size) { out += jsonNumber(size); });
+  }
+  if (draw.clipDistanceCount > 0) writeArrays(field("clipDistances"), draw.clipDistances, draw.clipDistanceCount);
+  if (draw.cullDistanceCount > 0) writeArrays(field("cullDistances"), draw.cullDistances, draw.cullDistanceCount);
   if (!draw.varyings.empty()) {
     field("varyings") += "[";
     for (size_t i = 0; i < draw.varyings.size(); ++i) {
@@ -115,15 +191,13 @@ std::string writeScene(const Scene& scene) {
   Fields field(out, ",\n  ");
   field("name") += quoted(scene.name);
   writeTarget(field("target"), scene.target);
-  const Viewport& v = scene.viewport;
-  field("viewport") += fmt::format(
-      "{{\"x\": {}, \"y\": {}, \"width\": {}, \"height\": {}, \"minDepth\": {}, \"maxDepth\": {}}}", jsonNumber(v.x),
-      jsonNumber(v.y), jsonNumber(v.width), jsonNumber(v.height), jsonNumber(v.minDepth), jsonNumber(v.maxDepth));
-  if (const auto& s = scene.scissor) {
-    field("scissor") +=
-        fmt::format("{{\"x\": {}, \"y\": {}, \"width\": {}, \"height\": {}}}", s->x, s->y, s->width, s->height);
-  }
+  writeViewport(field("viewport"), scene.viewport);
+  if (scene.scissor) writeScissor(field("scissor"), *scene.scissor);
+  if (!scene.furtherViewports.empty()) writeFurtherViewports(field("furtherViewports"), scene.furtherViewports);
   writeState(field("state"), scene.state);
+  if (!scene.builtIns.empty()) {
+    writeList(field("builtIns"), scene.builtIns, [&](BuiltIn builtIn) { out += quoted(enumName(builtIn)); });
+  }
   if (scene.allowNonFinite) field("allowNonFinite") += "true";
   field("draws") += "[";
   for (size_t i = 0; i < scene.draws.size(); ++i) {

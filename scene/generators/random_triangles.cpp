@@ -123,9 +123,9 @@ void addValues(Scene& scene, Source& source) {
   scene.state.depthTestEnable = true;
   scene.state.depthWriteEnable = true;
   Draw& draw = scene.draws.front();
-  draw.varyings = {{"color", Interpolation::smooth, 4, {}},
-                   {"screen", Interpolation::noperspective, 2, {}},
-                   {"id", Interpolation::flat, 1, {}}};
+  draw.varyings = {{.name = "color", .interpolation = Interpolation::smooth, .components = 4},
+                   {.name = "screen", .interpolation = Interpolation::noperspective, .components = 2},
+                   {.name = "id", .interpolation = Interpolation::flat, .components = 1}};
   for (Varying& varying : draw.varyings) {
     varying.values.resize(draw.positions.size() * varying.components);
     for (float& value : varying.values) value = source.value();

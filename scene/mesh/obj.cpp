@@ -102,7 +102,10 @@ Draw meshDraw(const Mesh& mesh, const glm::dmat4& clipFromModel, std::span<const
   }
   draw.indices = mesh.indices;
   for (const Varying& asked : varyings) {
-    Varying& varying = draw.varyings.emplace_back(Varying{asked.name, asked.interpolation, 3, {}});
+    Varying& varying =
+        draw.varyings.emplace_back(Varying{.name = asked.name, .interpolation = asked.interpolation, .components = 3});
+    varying.offsetX = asked.offsetX;
+    varying.offsetY = asked.offsetY;
     varying.values.reserve(mesh.positions.size() * 3);
     for (const std::array<float, 3>& v : asked.name == kMeshVaryings[0] ? mesh.normals : mesh.positions) {
       varying.values.insert(varying.values.end(), v.begin(), v.end());

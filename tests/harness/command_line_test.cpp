@@ -24,6 +24,8 @@ struct Refused {
   const char* next;
 };
 
+void PrintTo(const Refused& refused, std::ostream* out) { *out << refused.why; }
+
 class RefusedWords : public testing::TestWithParam<Refused> {};
 
 TEST_P(RefusedWords, SayWhatIsWrongAndWhatToTypeNext) {
@@ -86,6 +88,46 @@ TEST(CommandLine, ShardsPartitionTheWork) {
     return scenes;
   };
   EXPECT_EQ(scenesOf("1/3") + scenesOf("2/3") + scenesOf("3/3"), scenesOf("1/1"));
+}
+
+constexpr const char* kTriangle =
+    R"({"target": {"width": 16, "height": 16}, "draws": [{"space": "pixels", "positions": [[2, 2, 0.5], [14, 4, 0.5], [4, 14, 0.5]]}]})";
+
+TEST(CommandLine, FilesAndFoldersOfThemAreScenes) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path("sub"));
+  writeAll(folder.path("one.scene.json"), kTriangle);
+  writeAll(folder.path("sub/with space.scene.json"), kTriangle);
+  writeAll(folder.path("sub/other.json"), "not a scene");
+  for (const std::string& word : {folder.path("one.scene.json"), folder.path("sub")}) {
+    const Outcome outcome = runProgram({"check", word, "--driver", "fault:crash=nothing"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+    EXPECT_NE(outcome.out.find("PASS: 1 scene compared"), std::string::npos) << outcome.out;
+  }
+}
+
+TEST(CommandLine, ABrokenSceneFileIsRefusedWithItsPlace) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path("broken.scene.json");
+  writeAll(path, "{\n  \"target\": {\"width\": }\n}\n");
+  for (const char* verb : {"check", "explain"}) {
+    std::vector<std::string> words{verb, path};
+    if (words[0] == "explain") words.insert(words.end(), {"0", "0"});
+    const Outcome outcome = runProgram(words);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_TRUE(outcome.err.starts_with(path + ":2:")) << outcome.err;
+  }
+}
+
+TEST(CommandLine, WhatIsNoSceneIsRefused) {
+  const TemporaryFolder folder;
+  writeAll(folder.path("mesh.obj"), "v 0 0 0\n");
+  EXPECT_EQ(runProgram({"check", folder.path("mesh.obj")}).status, 2);
+  std::filesystem::create_directories(folder.path("empty"));
+  EXPECT_EQ(runProgram({"check", folder.path("empty")}).status, 2);
+  const Outcome two = runProgram({"render", "random/*", "--with", "reference", "-o", folder.path("out")});
+  EXPECT_EQ(two.status, 2);
+  EXPECT_EQ(two.lastErrorLine(), "rasterdiff list 'random/*'");
 }
 
 TEST(CommandLine, SummaryEndsWithTheVerdictWhereNothingDiffers) {

@@ -23,6 +23,10 @@ std::string readAll(const std::filesystem::path& path) {
   return text.str();
 }
 
+void writeAll(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
 Outcome runProgram(const std::vector<std::string>& words) {
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
   std::vector<std::string> all{(self.parent_path().parent_path() / "rasterdiff").string()};

@@ -31,5 +31,6 @@ class TemporaryFolder {
 };
 
 [[nodiscard]] std::string readAll(const std::filesystem::path& path);
+void writeAll(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace rasterdiff::test

@@ -96,7 +96,8 @@ TEST(InterpolationMethods, PerspectivePutsTheMiddleOfTheScreenNearerToTheFarEnd)
   const SubpixelPosition middle{4 * 256, 0};
   EXPECT_EQ(interpolateExactly(triangle, middle, true), 0.25L);
   EXPECT_EQ(interpolateExactly(triangle, middle, false), 0.5L);
-  EXPECT_LE(ulpsFrom(0.25L, interpolatePerspective(triangle, middle)), 2.0);  // 1/3, its product, sum and quotient round
+  EXPECT_LE(ulpsFrom(0.25L, interpolatePerspective(triangle, middle)),
+            2.0);  // 1/3, its product, sum and quotient round
   EXPECT_EQ(interpolateBarycentricDifferences(triangle, middle), 0.5f);
 }
 

@@ -51,7 +51,8 @@ TEST(MethodTable, HardInputsShowWhatFriendlyOnesHide) {
   for (const char* method : {"plane", "barycentric"}) {
     EXPECT_GT(row("interpolation", method, "16,000").maxError, 100 * row("interpolation", method, "8 to 40").maxError);
   }
-  EXPECT_GT(row("interpolation", "affine", "10,000").meanError, row("interpolation", "perspective", "10,000").meanError);
+  EXPECT_GT(row("interpolation", "affine", "10,000").meanError,
+            row("interpolation", "perspective", "10,000").meanError);
 }
 
 TEST(MethodTable, SamplingErrorFallsAsSamplesGrow) {
@@ -68,9 +69,8 @@ TEST(MethodTable, DocumentationShowsTheMeasuredTable) {
   ASSERT_TRUE(file.good());
   std::stringstream text;
   text << file.rdbuf();
-  EXPECT_NE(text.str().find(methodTableMarkdown(table())), std::string::npos)
-      << "docs/methods.md should contain:\n"
-      << methodTableMarkdown(table());
+  EXPECT_NE(text.str().find(methodTableMarkdown(table())), std::string::npos) << "docs/methods.md should contain:\n"
+                                                                              << methodTableMarkdown(table());
 }
 
 }  // namespace

@@ -92,7 +92,8 @@ Condition edgeOf(const Moving& m, int sx, int sy, bool equality) {
 }
 
 bool meetsOpenDiamond(const Moving& m) {
-  return satisfiable({edgeOf(m, 1, 1, false), edgeOf(m, 1, -1, false), edgeOf(m, -1, 1, false), edgeOf(m, -1, -1, false)});
+  return satisfiable(
+      {edgeOf(m, 1, 1, false), edgeOf(m, 1, -1, false), edgeOf(m, -1, 1, false), edgeOf(m, -1, -1, false)});
 }
 
 /// The edge |x| + |y| = ½ in the quadrant (sx, sy), without its corners.
@@ -133,7 +134,8 @@ bool producesPixel(SubpixelPosition a, SubpixelPosition b, rasterizer::PixelInde
   const Rational cx = pixel.x + Rational(1, 2), cy = pixel.y + Rational(1, 2);
   const Series movedX = vulkan ? Series{0, -1, 0} : kZero, movedY = vulkan ? Series{0, 0, -1} : kZero;
   const auto relative = [&](SubpixelPosition p, const Rational& dx, const Rational& dy) {
-    return Moving{movedX + Series{Rational(p.x, 256) - cx, 0, 0}, movedY + Series{Rational(p.y, 256) - cy, 0, 0}, dx, dy};
+    return Moving{movedX + Series{Rational(p.x, 256) - cx, 0, 0}, movedY + Series{Rational(p.y, 256) - cy, 0, 0}, dx,
+                  dy};
   };
   const Rational dx = Rational(b.x, 256) - Rational(a.x, 256), dy = Rational(b.y, 256) - Rational(a.y, 256);
   const Moving segment = relative(a, dx, dy), end = relative(b, 0, 0);

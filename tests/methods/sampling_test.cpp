@@ -142,7 +142,8 @@ TEST(Procedural, MeansAgreeWithManySamples) {
     const double bound = picture.name == "zone-plate" ? 1e-3 : 16 * 0.5 / kSide;
     for (const auto& [x, y] : {std::pair{3, 5}, {40, 90}, {100, 120}, {127, 127}, {64, 30}, {10, 60}}) {
       double sum = 0;
-      for (int32_t k = 0; k < kSide * kSide; ++k) sum += picture.at(x + (k % kSide + 0.5) / kSide, y + (k / kSide + 0.5) / kSide);
+      for (int32_t k = 0; k < kSide * kSide; ++k)
+        sum += picture.at(x + (k % kSide + 0.5) / kSide, y + (k / kSide + 0.5) / kSide);
       EXPECT_NEAR(picture.mean(x, y), sum / (kSide * kSide), bound) << picture.name << ' ' << x << ", " << y;
     }
   }

@@ -19,11 +19,12 @@ struct Clipped {
 };
 
 Clipped clip(const Triangle& triangle, bool negativeOneToOne = false, ClipArithmetic arithmetic = ClipArithmetic::Exact) {
-  Rules rules = *Rules::profile("reference", Limits{});
-  rules.choices.clipArithmetic = arithmetic;
+  ClipVolume volume;
+  volume.nearAtMinusW = negativeOneToOne;
+  const std::array<ClipInput, 3> input{ClipInput{triangle[0], {}}, ClipInput{triangle[1], {}}, ClipInput{triangle[2], {}}};
   ClipPolygon polygon;
   Clipped result;
-  result.outcome = clipTriangle(triangle, rules, negativeOneToOne, polygon);
+  result.outcome = clipTriangle(input, arithmetic, volume, polygon);
   if (result.outcome != ClipOutcome::Rejected) {
     result.vertices.assign(polygon.vertices.begin(), polygon.vertices.begin() + polygon.size);
   }

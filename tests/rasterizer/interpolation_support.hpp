@@ -2,6 +2,7 @@
 // from homogeneous coordinates alone (Olano and Greer 1997), which shares nothing with the reference's planes.
 #pragma once
 
+#include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <functional>
@@ -29,15 +30,17 @@ inline Scene randomTriangleScene(std::mt19937_64& random, const TriangleKind& ki
   std::uniform_real_distribution<double> unit(-1, 1);
   Scene scene;
   scene.name = "triangle";
-  scene.target = {kExtent, kExtent, samples, DepthFormat::D32_SFLOAT, 1};
+  scene.target.width = scene.target.height = kExtent;
+  scene.target.samples = samples;
+  scene.target.depthFormat = DepthFormat::D32_SFLOAT;
   scene.viewport = {0, 0, kExtent, kExtent, 0, 1};
   scene.state.depthTestEnable = scene.state.depthWriteEnable = true;
   scene.state.depthCompareOp = CompareOp::ALWAYS;
   const double cx = 128 + 60 * unit(random), cy = 128 + 60 * unit(random);
   double x[3], y[3];
   for (int i = 0; i < 3; ++i) {
-    x[i] = cx + kind.size * unit(random);
-    y[i] = cy + kind.size * unit(random);
+    x[i] = std::clamp(cx + kind.size * unit(random), 4.0, kExtent - 4.0);
+    y[i] = std::clamp(cy + kind.size * unit(random), 4.0, kExtent - 4.0);
   }
   if (kind.thinness > 0) {
     const double t = (1 + unit(random)) / 2;

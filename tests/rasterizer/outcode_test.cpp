@@ -12,7 +12,9 @@ namespace {
 enum Bit : unsigned { kPlusX = 1, kMinusX = 2, kPlusY = 4, kMinusY = 8, kNear = 16, kFar = 32 };
 
 unsigned code(const ClipPosition& p, bool negativeOneToOne = false, DeliberateError error = DeliberateError::None) {
-  return outcode(p, negativeOneToOne, error);
+  State state;
+  state.negativeOneToOne = negativeOneToOne;
+  return outcode({p, {}}, clipVolume(state, Draw{}, error));
 }
 
 float above(float value) { return std::nextafter(value, std::numeric_limits<float>::infinity()); }

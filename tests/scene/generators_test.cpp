@@ -79,7 +79,7 @@ size_t clippedTriangles(const Scene& scene) {
   Scene one = scene;
   const std::vector<ClipPosition>& all = scene.draws[0].positions;
   for (size_t i = 0; i + 2 < all.size(); i += 3) {
-    one.draws = {Draw{{all[i], all[i + 1], all[i + 2]}, std::nullopt, {}}};
+    one.draws = {Draw{.positions = {all[i], all[i + 1], all[i + 2]}}};
     count += needsOf(one).clipping;
   }
   return count;

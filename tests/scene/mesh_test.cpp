@@ -164,10 +164,13 @@ TEST(MeshDraw, TransformsPositionsAndKeepsValuesInModelSpace) {
   ASSERT_TRUE(mesh.has_value());
   glm::dmat4 matrix(1);
   matrix[0][0] = 0.5;
-  const Varying asked{"position", Interpolation::flat, 4, {}};
+  const Varying asked{.name = "position", .interpolation = Interpolation::flat};
   const Draw draw = meshDraw(*mesh, matrix, {&asked, 1});
   EXPECT_EQ(draw.positions[1], (ClipPosition{1, 0, 0, 1}));
-  EXPECT_EQ(draw.varyings[0], (Varying{"position", Interpolation::flat, 3, {0, 0, 0, 2, 0, 0, 0, 2, 0}}));
+  EXPECT_EQ(draw.varyings[0], (Varying{.name = "position",
+                                       .interpolation = Interpolation::flat,
+                                       .components = 3,
+                                       .values = {0, 0, 0, 2, 0, 0, 0, 2, 0}}));
   EXPECT_TRUE(meshDraw(*mesh, matrix, {}).varyings.empty());
 }
 

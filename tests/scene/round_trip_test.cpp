@@ -1,4 +1,5 @@
 // writeScene and parseScene are inverse, bit by bit.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -81,10 +82,9 @@ Scene anyScene() {
   const auto varyings = *rc::gen::inRange<uint32_t>(0, 4);
   std::vector<Varying> kinds;
   for (uint32_t v = 0; v < varyings; ++v) {
-    kinds.push_back({"v" + std::to_string(v),
-                     static_cast<Interpolation>(*rc::gen::inRange(0u, 3u)),
-                     *rc::gen::inRange(1u, 5u),
-                     {}});
+    kinds.push_back({.name = fmt::format("v{}", v),
+                     .interpolation = static_cast<Interpolation>(*rc::gen::inRange(0u, 3u)),
+                     .components = *rc::gen::inRange(1u, 5u)});
   }
   const auto draws = *rc::gen::inRange<uint32_t>(1, 4);
   for (uint32_t d = 0; d < draws; ++d) {
@@ -145,11 +145,12 @@ TEST(WriteScene, TheCatalogueRoundTrips) {
 TEST(WriteScene, ReadsWell) {
   Scene scene;
   scene.name = "fill/one";
-  scene.target = {8, 8, 4, std::nullopt, 1};
+  scene.target = {.width = 8, .height = 8, .samples = 4};
   scene.viewport = {0, 0, 8, 8, 0, 1};
-  scene.draws.push_back({{{0, -0.5f, 0.1f, 1}, {-0.0f, HUGE_VALF, 1e-45f, 1}},
-                         std::vector<uint32_t>{0, 1, 0},
-                         {{"c", Interpolation::flat, 1, {1, 2}}}});
+  Draw& draw = scene.draws.emplace_back();
+  draw.positions = {{0, -0.5f, 0.1f, 1}, {-0.0f, HUGE_VALF, 1e-45f, 1}};
+  draw.indices = {0, 1, 0};
+  draw.varyings = {{.name = "c", .interpolation = Interpolation::flat, .components = 1, .values = {1, 2}}};
   EXPECT_EQ(writeScene(scene), R"({
   "name": "fill/one",
   "target": {"width": 8, "height": 8, "samples": 4},

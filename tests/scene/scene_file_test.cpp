@@ -28,9 +28,9 @@ TEST(SceneFile, OnlyTargetAndOneDrawAreRequiredAndTheRestHasVulkansDefaults) {
   const Scene scene = parsed(withDraw(R"({"positions": [[0, 0, 0, 1], [1, 0, 0, 1], [0, 1, 0, 1]]})"));
   Scene expected;
   expected.name = "file";
-  expected.target = {64, 32, 1, std::nullopt, 1};
+  expected.target = {.width = 64, .height = 32};
   expected.viewport = {0, 0, 64, 32, 0, 1};
-  expected.draws.push_back({{{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}}, std::nullopt, {}});
+  expected.draws.push_back({.positions = {{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}}});
   EXPECT_EQ(scene, expected);
 }
 
@@ -49,20 +49,23 @@ TEST(SceneFile, EveryFieldIsRead) {
   Scene expected;
   expected.name = "a/b";
   expected.allowNonFinite = true;
-  expected.target = {16, 8, 4, DepthFormat::D32_SFLOAT, 0.25f};
+  expected.target = {
+      .width = 16, .height = 8, .samples = 4, .depthFormat = DepthFormat::D32_SFLOAT, .depthClearValue = 0.25f};
   expected.viewport = {1, 8, 15, -8, 1, 0.5f};
   expected.scissor = {2, 3, 4, 5};
-  expected.state = {PrimitiveTopology::TRIANGLE_FAN,
-                    CullMode::FRONT_AND_BACK,
-                    FrontFace::CLOCKWISE,
-                    ProvokingVertexMode::LAST_VERTEX,
-                    true,
-                    true,
-                    CompareOp::GREATER_OR_EQUAL,
-                    true};
-  expected.draws.push_back({{{0, 0, 0, 1}},
-                            std::vector<uint32_t>{0, 0, 0},
-                            {{"c", Interpolation::flat, 3, {1, 2, 3}}, {"d", Interpolation::smooth, 1, {HUGE_VALF}}}});
+  expected.state = {.topology = PrimitiveTopology::TRIANGLE_FAN,
+                    .cullMode = CullMode::FRONT_AND_BACK,
+                    .frontFace = FrontFace::CLOCKWISE,
+                    .provokingVertexMode = ProvokingVertexMode::LAST_VERTEX,
+                    .depthTestEnable = true,
+                    .depthWriteEnable = true,
+                    .depthCompareOp = CompareOp::GREATER_OR_EQUAL,
+                    .negativeOneToOne = true};
+  expected.draws.push_back(
+      {.positions = {{0, 0, 0, 1}},
+       .indices = std::vector<uint32_t>{0, 0, 0},
+       .varyings = {{.name = "c", .interpolation = Interpolation::flat, .components = 3, .values = {1, 2, 3}},
+                    {.name = "d", .components = 1, .values = {HUGE_VALF}}}});
   EXPECT_EQ(scene, expected);
 }
 
@@ -128,8 +131,11 @@ TEST(SceneFile, AMeshIsFoundBesideTheFileAndTransformed) {
   const std::vector<ClipPosition> positions{{0.25f, 0, 0.5f, 1}, {0.75f, 0, 0.5f, 1}, {0.25f, -1, 0.5f, 1}};
   EXPECT_EQ(draw.positions, positions);
   EXPECT_EQ(draw.indices, (std::vector<uint32_t>{0, 1, 2}));
-  EXPECT_EQ(draw.varyings.at(0), (Varying{"normal", Interpolation::smooth, 3, {0, 0, 1, 0, 0, 1, 0, 0, 1}}));
-  EXPECT_EQ(draw.varyings.at(1), (Varying{"position", Interpolation::noperspective, 3, {0, 0, 0, 1, 0, 0, 0, 1, 0}}));
+  EXPECT_EQ(draw.varyings.at(0), (Varying{.name = "normal", .components = 3, .values = {0, 0, 1, 0, 0, 1, 0, 0, 1}}));
+  EXPECT_EQ(draw.varyings.at(1), (Varying{.name = "position",
+                                          .interpolation = Interpolation::noperspective,
+                                          .components = 3,
+                                          .values = {0, 0, 0, 1, 0, 0, 0, 1, 0}}));
 }
 
 TEST(SceneFile, AByteOrderMarkIsSkipped) {

@@ -16,11 +16,11 @@ namespace {
 Scene valid() {
   Scene scene;
   scene.name = "family/scene";
-  scene.target = {8, 4, 1, std::nullopt, 1};
+  scene.target = {.width = 8, .height = 4};
   scene.viewport = {0, 0, 8, 4, 0, 1};
   Draw& draw = scene.draws.emplace_back();
   draw.positions = {{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}};
-  draw.varyings = {{"a", Interpolation::smooth, 2, {0, 1, 2, 3, 4, 5}}};
+  draw.varyings = {{.name = "a", .components = 2, .values = {0, 1, 2, 3, 4, 5}}};
   return scene;
 }
 
@@ -38,7 +38,7 @@ TEST(Validate, EachMistakeIsRefusedAtItsField) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
   const Mistake mistakes[] = {
       {"name", [](Scene& s) { s.name = "../up"; }},
-      {"name", [](Scene& s) { s.name = "/root"; }},
+      {"name", [](Scene& s) { s.name = "/absolute"; }},
       {"name", [](Scene& s) { s.name = "a//b"; }},
       {"name", [](Scene& s) { s.name = "a\nb"; }},
       {"name", [](Scene& s) { s.name = std::string(201, 'x'); }},
@@ -99,7 +99,7 @@ TEST(Validate, EachMistakeIsRefusedAtItsField) {
        }},
       {"target",
        [](Scene& s) {
-         s.target = {16384, 16384, 4, DepthFormat::D32_SFLOAT, 1};
+         s.target = {.width = 16384, .height = 16384, .samples = 4, .depthFormat = DepthFormat::D32_SFLOAT};
        }},
   };
   for (const Mistake& mistake : mistakes) {

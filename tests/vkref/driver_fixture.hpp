@@ -5,11 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "tests/support/text_mask.hpp"
-#include "vkref/device.hpp"
+#include "vkref/device_impl.hpp"
 
 namespace rasterdiff::vkref::testing {
 
@@ -42,6 +43,19 @@ class DriverTest : public ::testing::TestWithParam<const char*> {
     if (!frame) throw std::runtime_error(fmt::format("{}: {}", frame.error().where, frame.error().what));
     return std::move(*frame);
   }
+
+  /// The frame of a scene that needs a feature; where that is not `offered`, nothing, and the refusal names `where`.
+  std::optional<Frame> drawIf(bool offered, const Scene& scene, const std::string& where) {
+    if (offered) return draw(scene);
+    const Result<Frame> frame = render(scene, device());
+    EXPECT_FALSE(frame.has_value());
+    if (frame) return std::nullopt;
+    EXPECT_EQ(frame.error().code, ErrorCode::NotOffered) << frame.error().what;
+    EXPECT_EQ(frame.error().where, where) << frame.error().what;
+    return std::nullopt;
+  }
+
+  const Capabilities& caps() { return device().impl().context->caps; }
 
   void TearDown() override {
     const std::vector<std::string>& messages = device().validationMessages();
@@ -78,6 +92,13 @@ inline Scene sceneOf(const std::vector<Point>& points, uint32_t width = 8, uint3
 /// Covers every sample of the target; `z` in 0..1.
 inline std::vector<Point> wholeTarget(float width = 8, float height = 8, float z = 0.5F) {
   return {{0, 0, z}, {2 * width, 0, z}, {0, 2 * height, z}};
+}
+
+/// A varying that tells each vertex of a draw from the others: its number.
+inline Varying vertexNumbers(size_t vertices, Interpolation interpolation = Interpolation::flat) {
+  Varying varying{"vertex", interpolation, 1, {}};
+  for (size_t i = 0; i < vertices; ++i) varying.values.push_back(static_cast<float>(i));
+  return varying;
 }
 
 /// The same varying value at every vertex of the first draw.

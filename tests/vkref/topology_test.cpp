@@ -25,13 +25,6 @@ std::vector<Point> fanPoints() {
   return {{0.25F, 2.125F}, {0.25F, 0.25F}, {7.75F, 0.25F}, {7.75F, 3.75F}, {0.25F, 3.75F}};
 }
 
-/// A varying that tells each vertex from the others.
-Varying vertexNumbers(size_t vertices) {
-  Varying varying{"vertex", Interpolation::flat, 1, {}};
-  for (size_t i = 0; i < vertices; ++i) varying.values.push_back(static_cast<float>(i));
-  return varying;
-}
-
 /// The same scene with its vertices reversed in memory and indices that restore their order.
 Scene indexed(Scene scene) {
   Draw& draw = scene.draws.front();

@@ -1,0 +1,61 @@
+#include "rasterizer/depth/bias.hpp"
+
+namespace rasterdiff::rasterizer {
+namespace {
+
+// 2^(e - 23) for the exponent e of a float32 number. // IEEE 754: value = 1.m · 2^e, 23 bits of m
+double unitOf(double z) {
+  if (!(z > 0)) return 0;
+  int exponent = 0;
+  std::frexp(z, &exponent);  // z = f · 2^exponent, 0.5 <= f < 1
+  return std::ldexp(1.0, exponent - 1 - 23);
+}
+
+double clampBias(double bias, double limit) {
+  if (limit > 0) return std::min(bias, limit);
+  if (limit < 0) return std::max(bias, limit);
+  return bias;  // 0 or NaN: no clamp
+}
+
+Interval scaled(const Interval& interval, double factor) {
+  if (factor == 0) return {};
+  const double a = interval.lo * factor, b = interval.hi * factor;
+  return {interval.value * factor, std::min(a, b), std::max(a, b)};
+}
+
+}  // namespace
+
+Interval smallestDifference(uint32_t bits, const Interval& largestDepth, const Rules& rules) {
+  if (bits == 0) {
+    // The float32 number nearest to the depth has the exponent; under a rounding up it is the next one.
+    const auto rounded = [](double z) { return static_cast<double>(static_cast<float>(z)); };
+    return {unitOf(rounded(largestDepth.value)), unitOf(rounded(largestDepth.lo)), unitOf(rounded(largestDepth.hi))};
+  }
+  const double step = std::ldexp(1.0, -static_cast<int>(bits));
+  const double chosen = rules.choices.depthBiasUnit == DepthBiasUnit::OneStep
+                            ? step
+                            : 2 / static_cast<double>((uint64_t{1} << bits) - 1);
+  if (!rules.open) return {chosen, chosen, chosen};
+  return {chosen, step, 2 * step};
+}
+
+Interval depthBias(const State& state, uint32_t bits, const Rules& rules, const BiasInputs& inputs) {
+  const Gradient& slope = inputs.slope;
+  const double larger = std::max(std::fabs(slope.dx), std::fabs(slope.dy));
+  const double longest = rules.open ? std::hypot(slope.dx, slope.dy) : larger;
+  const Interval m{larger, std::max(0.0, larger - slope.radius), longest + std::sqrt(2.0) * slope.radius};
+  double slopeFactor = state.depthBiasSlopeFactor, constantFactor = state.depthBiasConstantFactor, limit = state.depthBiasClamp;
+  if (rules.error == DeliberateError::DepthBiasSlopeIgnored) slopeFactor = 0;
+  if (rules.error == DeliberateError::DepthBiasTripled) constantFactor *= 3;
+  if (rules.error == DeliberateError::DepthBiasUnclamped) limit = 0;
+
+  const Interval bySlope = scaled(m, slopeFactor);
+  const Interval byUnit = scaled(smallestDifference(bits, inputs.largestDepth, rules), constantFactor);
+  // Two products and a sum in float32.
+  const double largest = std::max(std::fabs(bySlope.lo), std::fabs(bySlope.hi)) + std::max(std::fabs(byUnit.lo), std::fabs(byUnit.hi));
+  const double rounding = 3 * kHalfUlp * largest;
+  return {clampBias(bySlope.value + byUnit.value, limit), clampBias(bySlope.lo + byUnit.lo - rounding, limit),
+          clampBias(bySlope.hi + byUnit.hi + rounding, limit)};
+}
+
+}  // namespace rasterdiff::rasterizer

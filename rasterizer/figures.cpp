@@ -1,0 +1,174 @@
+#include "rasterizer/figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rasterizer/lines/line_shape.hpp"
+#include "rasterizer/lines/stipple.hpp"
+#include "rasterizer/points/square_point.hpp"
+
+namespace rasterdiff::rasterizer {
+namespace {
+
+constexpr unsigned kVolumeMask = (1U << kVolumePlanes) - 1;
+
+ClipPosition rounded(const ClipVertex& vertex) {
+  const auto at = [&](size_t i) { return static_cast<float>(vertex.position[i]); };
+  return {at(0), at(1), at(2), at(3)};
+}
+
+// Do both vertices lie on one edge of the unclipped triangle? Only then some corner has no weight in either.
+bool onOriginalEdge(const RasterVertex& a, const RasterVertex& b) {
+  for (size_t k = 0; k < 3; ++k) {
+    if (a.smoothWeights[k] == 0 && b.smoothWeights[k] == 0) return true;
+  }
+  return false;
+}
+
+// A deliberate error: the last end goes a pixel on along the line.
+void lengthen(RasterVertex& b, const RasterVertex& a) {
+  const double dx = b.position.x - a.position.x, dy = b.position.y - a.position.y;
+  const double longer = std::max(std::fabs(dx), std::fabs(dy));
+  if (longer == 0) return;
+  b.position.x += dx / longer;
+  b.position.y += dy / longer;
+  const SubpixelPosition step{static_cast<int32_t>(std::lround(dx / longer * kSubpixelOne)),
+                              static_cast<int32_t>(std::lround(dy / longer * kSubpixelOne))};
+  for (SubpixelPosition* p : {&b.snapped, &b.lowest, &b.highest}) {
+    p->x += step.x;
+    p->y += step.y;
+  }
+}
+
+}  // namespace
+
+FigureMaker::FigureMaker(const Scene& scene, const Rules& rules, const Draw& draw, const VertexStage& stage,
+                         const ClipVolume& volume, PixelArea area, RuleCounts& counts)
+    : scene_(scene), rules_(rules), draw_(draw), stage_(stage), volume_(volume), area_(area), counts_(counts) {}
+
+float FigureMaker::pointSize(uint32_t vertex) const {
+  if (rules_.error == DeliberateError::PointSizeIgnored) return 1;
+  return quantisedPointSize(draw_.pointSizes.empty() ? scene_.state.pointSize : draw_.pointSizes[vertex], rules_.limits);
+}
+
+bool FigureMaker::pointSurvives(const ClipInput& vertex) {
+  const unsigned code = outcode(vertex, volume_);
+  if (code == 0) return true;
+  ++counts_[Rule::PointClip];
+  const bool onlyUserPlanes = rules_.limits.pointClippingBehavior == PointClippingBehavior::USER_CLIP_PLANES_ONLY;
+  return onlyUserPlanes && (code & ~kVolumeMask) == 0 && vertex.position.w > 0;
+}
+
+void FigureMaker::addPoint(Primitive& primitive, const ClipPosition& position, RasterVertex vertex, float size) {
+  if (rules_.error == DeliberateError::PointRounded) {
+    const auto centre = [](int32_t v) { return (v >> kSubpixelBits) * kSubpixelOne + kSubpixelOne / 2; };
+    vertex.snapped = {centre(vertex.snapped.x), centre(vertex.snapped.y)};
+    vertex.lowest = vertex.highest = vertex.snapped;
+  }
+  Figure figure;
+  figure.kind = Figure::Kind::Point;
+  figure.a = vertex;
+  figure.size = size;
+  figure.shape = makePointShape(position, vertex, size, stage_);
+  primitive.figures.push_back(std::move(figure));
+}
+
+void FigureMaker::makePoint(Primitive& primitive, const ClipInput& vertex) {
+  if (!pointSurvives(vertex)) return;
+  if (vertex.position.w <= 0) return;
+  const float size = pointSize(primitive.assembled.vertices[0]);
+  const RasterVertex raster = stage_.original(vertex.position);
+  if (rules_.error == DeliberateError::PointClippedByExtent) {
+    const Viewport& v = scene_.viewport;
+    const double half = size / 2, low = std::min(v.y, v.y + v.height), high = std::max(v.y, v.y + v.height);
+    if (raster.position.x - half < v.x || raster.position.x + half > double{v.x} + v.width ||
+        raster.position.y - half < low || raster.position.y + half > high) {
+      return;
+    }
+  }
+  addPoint(primitive, vertex.position, raster, size);
+}
+
+LineStyle FigureMaker::lineStyle() const {
+  const State& state = scene_.state;
+  LineStyle style;
+  style.mode = state.lineRasterizationMode;
+  style.width = rules_.error == DeliberateError::LineWidthIgnored ? 1.0F : state.lineWidth;
+  style.samples = scene_.target.samples;
+  style.area = area_;
+  style.stipple.enabled = state.stippledLineEnable && rules_.error != DeliberateError::StippleIgnored;
+  style.stipple.factor = state.lineStippleFactor;
+  style.stipple.pattern = state.lineStipplePattern;
+  style.stipple.start = stipple_;
+  if (rules_.error == DeliberateError::LineModeExchanged) {
+    const bool bresenham = lineKind(style, rules_.limits) == LineKind::Bresenham;
+    style.mode = bresenham ? LineRasterizationMode::RECTANGULAR : LineRasterizationMode::BRESENHAM;
+  }
+  return style;
+}
+
+void FigureMaker::addLine(Primitive& primitive, const LineEnds& ends, bool ofPolygon, bool optional) {
+  LineStyle style = lineStyle();
+  style.ofPolygon = ofPolygon;
+  Figure figure;
+  figure.kind = Figure::Kind::Line;
+  figure.a = ends.a;
+  figure.b = ends.b;
+  figure.size = style.width;
+  figure.optional = optional;
+  figure.shape = makeLineShape(ends, style, rules_);
+  if (style.stipple.enabled) stipple_ = stippleAfter(ends, style, rules_);
+  if (figure.shape != nullptr) primitive.figures.push_back(std::move(figure));
+}
+
+void FigureMaker::makeLine(Primitive& primitive, const ClipInput& a, const ClipInput& b) {
+  if (!primitive.assembled.continuesLine && rules_.error != DeliberateError::StippleNotReset) stipple_ = {};
+  const std::array<ClipInput, 2> line{a, b};
+  ClipPolygon clipped;
+  const ClipOutcome outcome = clipLine(line, rules_.choices.clipArithmetic, volume_, clipped);
+  LineEnds ends;
+  if (outcome != ClipOutcome::Inside) {
+    ++counts_[Rule::LineClip];
+    primitive.cut = true;
+    if (a.position.w > 0 && b.position.w > 0) ends.uncut = {stage_.original(a.position), stage_.original(b.position)};
+  }
+  ends.removed = clipped.size < 2 || clipped.vertices[0].position[3] <= 0 || clipped.vertices[1].position[3] <= 0;
+  if (ends.removed && (!rules_.open || !ends.uncut)) return;
+  if (!ends.removed) {
+    ends.a = stage_.clipped(clipped.vertices[0]);
+    ends.b = stage_.clipped(clipped.vertices[1]);
+    ends.floatA = floatPosition(stage_, clipped.vertices[0]);
+    ends.floatB = floatPosition(stage_, clipped.vertices[1]);
+  } else {
+    ends.a = (*ends.uncut)[0];
+    ends.b = (*ends.uncut)[1];
+    ends.b.smoothWeights = ends.b.linearWeights = {0, 1, 0};
+  }
+  if (rules_.error == DeliberateError::LineEndIncluded) lengthen(ends.b, ends.a);
+  addLine(primitive, ends, false, false);
+}
+
+void FigureMaker::makeOutline(Primitive& primitive, const ClipPolygon& polygon) {
+  ++counts_[Rule::PolygonMode];
+  stipple_ = {};
+  const size_t n = primitive.polygon.size();
+  for (size_t i = 0; i < n; ++i) {
+    const RasterVertex& a = primitive.polygon[i];
+    if (scene_.state.polygonMode == PolygonMode::POINT) {
+      if (a.made) continue;
+      const ClipPosition position = rounded(polygon.vertices[i]);
+      const auto corner = static_cast<size_t>(std::max_element(a.smoothWeights.begin(), a.smoothWeights.end()) - a.smoothWeights.begin());
+      addPoint(primitive, position, a, pointSize(primitive.assembled.vertices[corner]));
+      continue;
+    }
+    const RasterVertex& b = primitive.polygon[(i + 1) % n];
+    LineEnds ends;
+    ends.a = a;
+    ends.b = b;
+    ends.floatA = floatPosition(stage_, polygon.vertices[i]);
+    ends.floatB = floatPosition(stage_, polygon.vertices[(i + 1) % n]);
+    addLine(primitive, ends, true, primitive.cut && !onOriginalEdge(a, b));
+  }
+}
+
+}  // namespace rasterdiff::rasterizer

@@ -1,0 +1,92 @@
+#include "rasterizer/fragment/attribute_location.hpp"
+
+#include <bit>
+#include <cmath>
+
+namespace rasterdiff::rasterizer {
+namespace {
+
+std::array<Spot, 4> boxOf(double left, double top, double right, double bottom) {
+  return {{{left, top}, {right, top}, {left, bottom}, {right, bottom}}};
+}
+
+// Keeps of a convex polygon what has sign · (coordinate - bound) >= 0.
+void keep(std::vector<Spot>& polygon, std::vector<Spot>& scratch, double Spot::*axis, double sign, double bound) {
+  scratch.clear();
+  for (size_t i = 0; i < polygon.size(); ++i) {
+    const Spot& a = polygon[i];
+    const Spot& b = polygon[(i + 1) % polygon.size()];
+    const double da = sign * (a.*axis - bound), db = sign * (b.*axis - bound);
+    if (da >= 0) scratch.push_back(a);
+    if ((da >= 0) == (db >= 0)) continue;
+    const double t = da / (da - db);
+    Spot crossing{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+    crossing.*axis = bound;
+    scratch.push_back(crossing);
+  }
+  polygon.swap(scratch);
+}
+
+void clipToPixel(const FragmentPlace& place, const std::vector<RasterVertex>& polygon, RegionStorage& storage) {
+  storage.polygon.clear();
+  for (const RasterVertex& vertex : polygon) storage.polygon.push_back({vertex.position.x, vertex.position.y});
+  keep(storage.polygon, storage.scratch, &Spot::x, 1, place.x);
+  keep(storage.polygon, storage.scratch, &Spot::x, -1, place.x + 1.0);
+  keep(storage.polygon, storage.scratch, &Spot::y, 1, place.y);
+  keep(storage.polygon, storage.scratch, &Spot::y, -1, place.y + 1.0);
+}
+
+}  // namespace
+
+EvaluationOffset evaluationOffset(float x, float y, const Rules& rules) {
+  EvaluationOffset offset;
+  const double sign = rules.error == DeliberateError::OffsetFlipped ? -1 : 1;
+  offset.nominal = {sign * double{x}, sign * double{y}};
+  const double steps = std::ldexp(1.0, static_cast<int>(rules.limits.subPixelInterpolationOffsetBits));
+  const double left = std::floor(x * steps) / steps, right = std::ceil(x * steps) / steps;
+  const double top = std::floor(y * steps) / steps, bottom = std::ceil(y * steps) / steps;
+  offset.corners = boxOf(left, top, right, bottom);
+  offset.free = rules.open && (left != right || top != bottom);
+  return offset;
+}
+
+AttributeLocation::AttributeLocation(std::vector<SubpixelPosition> pattern, const Rules& rules)
+    : pattern_(std::move(pattern)), areaIsFree_(rules.open && pattern_.size() > 1),
+      ignoreCentroid_(rules.error == DeliberateError::CentroidIgnored),
+      sampleAtCentre_(rules.error == DeliberateError::SampleAtCentre) {}
+
+EvaluationRegion AttributeLocation::around(Spot centre, RegionStorage& storage) const {
+  if (!areaIsFree_) return {centre, {}};
+  storage.box = boxOf(centre.x - 0.5, centre.y - 0.5, centre.x + 0.5, centre.y + 0.5);
+  return {centre, storage.box};
+}
+
+EvaluationRegion AttributeLocation::atSample(const FragmentPlace& place) const {
+  return {sampleAtCentre_ ? centreOf(place) : sampleOf(place, place.sample, pattern_), {}};
+}
+
+uint32_t AttributeLocation::firstCovered(const FragmentPlace& place) const {
+  return place.covered == 0 ? place.sample : static_cast<uint32_t>(std::countr_zero(place.covered));
+}
+
+EvaluationRegion AttributeLocation::centroid(const FragmentPlace& place, const Primitive& primitive,
+                                             RegionStorage& storage) const {
+  const uint32_t all = (1U << samples()) - 1;
+  const bool centre = samples() == 1 || (place.covered & all) == all || ignoreCentroid_;
+  const Spot nominal = centre ? centreOf(place) : sampleOf(place, firstCovered(place), pattern_);
+  if (!areaIsFree_) return {nominal, {}};
+  if (primitive.polygon.size() < 3) return {nominal, around(centreOf(place), storage).corners};
+  clipToPixel(place, primitive.polygon, storage);
+  return {nominal, storage.polygon};
+}
+
+EvaluationRegion AttributeLocation::at(const FragmentPlace& place, const EvaluationOffset& offset,
+                                       RegionStorage& storage) const {
+  const Spot centre = centreOf(place);
+  const Spot nominal{centre.x + offset.nominal.x, centre.y + offset.nominal.y};
+  if (!offset.free) return {nominal, {}};
+  for (size_t i = 0; i < 4; ++i) storage.box[i] = {centre.x + offset.corners[i].x, centre.y + offset.corners[i].y};
+  return {nominal, storage.box};
+}
+
+}  // namespace rasterdiff::rasterizer

@@ -1,0 +1,52 @@
+// Where in a fragment an input is evaluated: the nominal place of each interpolation, and the region of all legal ones.
+// [vk:shaders-interpolation-decorations] [choice:attribute-position]
+#pragma once
+
+#include <array>
+
+#include "rasterizer/fragment/place.hpp"
+#include "rasterizer/geometry.hpp"
+#include "rasterizer/rules.hpp"
+
+namespace rasterdiff::rasterizer {
+
+/// The offset of interpolateAtOffset and the rectangle it may be rounded into, pixels from the centre.
+/// [vk:limits-subPixelInterpolationOffsetBits] [choice:offset-rounding] nominally not rounded.
+struct EvaluationOffset {
+  Spot nominal;
+  std::array<Spot, 4> corners{};
+  bool free = false;  ///< the corners differ from the nominal offset, and rules are open
+};
+[[nodiscard]] EvaluationOffset evaluationOffset(float x, float y, const Rules& rules);
+
+/// Keeps the corners of one region alive.
+struct RegionStorage {
+  std::array<Spot, 4> box{};
+  std::vector<Spot> polygon, scratch;
+};
+
+class AttributeLocation {
+ public:
+  AttributeLocation(std::vector<SubpixelPosition> pattern, const Rules& rules);
+
+  [[nodiscard]] std::span<const SubpixelPosition> pattern() const { return pattern_; }
+  [[nodiscard]] uint32_t samples() const { return static_cast<uint32_t>(pattern_.size()); }
+  [[nodiscard]] bool areaIsFree() const { return areaIsFree_; }
+
+  /// An undecorated input, around any point: there; anywhere in the pixel around it where the area is free.
+  [[nodiscard]] EvaluationRegion around(Spot centre, RegionStorage& storage) const;
+  /// At a sample and nowhere else.
+  [[nodiscard]] EvaluationRegion atSample(const FragmentPlace& place) const;
+  /// Fully covered: the centre; else the first covered sample. Under open rules anywhere in the pixel that `primitive`
+  /// covers (a figure: anywhere in the pixel).
+  [[nodiscard]] EvaluationRegion centroid(const FragmentPlace& place, const Primitive& primitive, RegionStorage& storage) const;
+  [[nodiscard]] EvaluationRegion at(const FragmentPlace& place, const EvaluationOffset& offset, RegionStorage& storage) const;
+
+ private:
+  [[nodiscard]] uint32_t firstCovered(const FragmentPlace& place) const;
+
+  const std::vector<SubpixelPosition> pattern_;
+  const bool areaIsFree_, ignoreCentroid_, sampleAtCentre_;
+};
+
+}  // namespace rasterdiff::rasterizer

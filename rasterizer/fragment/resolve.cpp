@@ -1,0 +1,41 @@
+#include "rasterizer/fragment/resolve.hpp"
+
+namespace rasterdiff::rasterizer {
+
+Interpolated meanOf(std::span<const float> values, std::span<const Bounds> bounds, size_t stride) {
+  const size_t n = (values.size() + stride - 1) / stride;
+  double sum = 0, lo = 0, hi = 0, magnitude = 0;
+  for (size_t i = 0; i < values.size(); i += stride) {
+    sum += double{values[i]};
+    lo += double{bounds[i].lo};
+    hi += double{bounds[i].hi};
+    magnitude += std::max(std::fabs(double{bounds[i].lo}), std::fabs(double{bounds[i].hi}));
+  }
+  const auto count = static_cast<double>(n);
+  // n - 1 sums and a division, each within 2^-24 of at most the sum of magnitudes; scaled first, n products more.
+  const double rounding = n == 1 ? 0 : (2 * count) * kHalfUlp * magnitude / count;
+  return toFloat({sum / count, lo / count - rounding, hi / count + rounding});
+}
+
+VaryingPlane resolved(const VaryingPlane& plane, bool sampleZero, RuleCounts& counts) {
+  const Plane<float>& values = plane.values;
+  const uint32_t components = values.components;
+  VaryingPlane result{plane.name, Plane<float>(values.width, values.height, 1, components), std::nullopt};
+  result.bounds.emplace(values.width, values.height, 1, components);
+  const size_t pixels = size_t{values.width} * values.height, perPixel = size_t{values.samples} * components;
+  for (size_t pixel = 0; pixel < pixels; ++pixel) {
+    bool differ = false;
+    for (size_t c = 0; c < components; ++c) {
+      const size_t first = pixel * perPixel + c, count = perPixel - c;
+      const std::span<const float> samples = std::span(values.data).subspan(first, count);
+      const Interpolated mean = meanOf(samples, std::span(plane.bounds->data).subspan(first, count), components);
+      result.values.data[pixel * components + c] = sampleZero ? samples[0] : mean.value;
+      result.bounds->data[pixel * components + c] = mean.bounds;
+      for (size_t s = components; s < count; s += components) differ = differ || samples[s] != samples[0];
+    }
+    if (differ) ++counts[Rule::Resolve];
+  }
+  return result;
+}
+
+}  // namespace rasterdiff::rasterizer

@@ -1,0 +1,78 @@
+#include "rasterizer/fragment/triangle_plane.hpp"
+
+namespace rasterdiff::rasterizer {
+
+TrianglePlane::TrianglePlane(const std::array<FramebufferPosition, 3>& corners, double deviation) : deviation_(deviation) {
+  for (size_t i = 0; i < 3; ++i) {
+    x_[i] = corners[i].x;
+    y_[i] = corners[i].y;
+  }
+  e1x_ = x_[1] - x_[0];
+  e1y_ = y_[1] - y_[0];
+  e2x_ = x_[2] - x_[0];
+  e2y_ = y_[2] - y_[0];
+  determinant_ = e1x_ * e2y_ - e1y_ * e2x_;
+  const double area = std::fabs(determinant_);
+  perimeter_ = std::fabs(e1x_) + std::fabs(e1y_) + std::fabs(e2x_) + std::fabs(e2y_) + std::fabs(e2x_ - e1x_) +
+               std::fabs(e2y_ - e1y_);
+  condition_ = 1 + (std::fabs(e1x_ * e2y_) + std::fabs(e1y_ * e2x_)) / area;
+  sensitivity_ = (deviation_ * perimeter_ + 6 * deviation_ * deviation_) / area;
+}
+
+LinearFunction TrianglePlane::through(const std::array<double, 3>& a, double inputError, double outside) const {
+  LinearFunction result;
+  const double d1 = a[1] - a[0], d2 = a[2] - a[0];
+  const double largest = std::max({std::fabs(a[0]), std::fabs(a[1]), std::fabs(a[2])});
+  result.value = a[0];
+  result.x0 = x_[0];
+  result.y0 = y_[0];
+  if (determinant_ != 0) {
+    result.dx = (d1 * e2y_ - d2 * e1y_) / determinant_;
+    result.dy = (d2 * e1x_ - d1 * e2x_) / determinant_;
+  }
+  if (undetermined()) {
+    // A sliver whose area a legal placement can halve or lose: its plane is not determined.
+    result.constantRadius = d1 == 0 && d2 == 0 ? 4 * kHalfUlp * largest * condition_ : kUnbounded;
+    return result;
+  }
+  const double area = std::fabs(determinant_);
+  // Roundings of float32, each 2^-24 relative. Gradient: differences 2, product 1, sum 1, 1/det 1, product 1, and the
+  // determinant's own 3 amplified by its condition. Anchor at the origin and final sum: 3 products and sums each.
+  const double gradientX = (std::fabs(d1 * e2y_) + std::fabs(d2 * e1y_)) / area;
+  const double gradientY = (std::fabs(d2 * e1x_) + std::fabs(d1 * e2x_)) / area;
+  const double roundings = 6 + 3 * condition_ + 6;
+  result.radiusPerX = kHalfUlp * roundings * gradientX;
+  result.radiusPerY = kHalfUlp * roundings * gradientY;
+  // Placement: the value at a point moves by Σ |bᵢ| δ |gradient|; the gradient itself may change with the determinant.
+  const double change = 2 * deviation_ * (std::fabs(d1) + std::fabs(d2)) / area;
+  const double steepest = (std::fabs(result.dx) + std::fabs(result.dy) + 2 * change) / (1 - sensitivity_);
+  const double spread = 1 + 2 * (deviation_ + 0x1p-7 + outside) * perimeter_ / area;  // bound on Σ |bᵢ|
+  result.constantRadius = spread * (3 * kHalfUlp * largest + inputError + deviation_ * steepest);
+  result.farX = std::max({std::fabs(x_[0]), std::fabs(x_[1]), std::fabs(x_[2])});
+  result.farY = std::max({std::fabs(y_[0]), std::fabs(y_[1]), std::fabs(y_[2])});
+  return result;
+}
+
+Gradient TrianglePlane::gradient(const std::array<double, 3>& a, double inputError) const {
+  const double d1 = a[1] - a[0], d2 = a[2] - a[0];
+  Gradient result;
+  if (determinant_ != 0) {
+    result.dx = (d1 * e2y_ - d2 * e1y_) / determinant_;
+    result.dy = (d2 * e1x_ - d1 * e2x_) / determinant_;
+  }
+  if (undetermined()) {
+    result.radius = d1 == 0 && d2 == 0 && inputError == 0 ? 0 : kUnbounded;
+    return result;
+  }
+  const double area = std::fabs(determinant_);
+  const double terms = std::max(std::fabs(d1 * e2y_) + std::fabs(d2 * e1y_), std::fabs(d2 * e1x_) + std::fabs(d1 * e2x_)) / area;
+  // As in through(): the roundings of a gradient; corners that move; values that are not what they should be.
+  const double rounded = kHalfUlp * (6 + 3 * condition_) * terms;
+  const double longest = std::max(std::fabs(e1x_) + std::fabs(e2x_), std::fabs(e1y_) + std::fabs(e2y_));
+  const double moved = (2 * deviation_ * (std::fabs(d1) + std::fabs(d2)) + 2 * inputError * longest) / area +
+                       std::max(std::fabs(result.dx), std::fabs(result.dy)) * sensitivity_;
+  result.radius = rounded + moved / (1 - sensitivity_);
+  return result;
+}
+
+}  // namespace rasterdiff::rasterizer

@@ -1,0 +1,81 @@
+// Lines as a float32 driver draws them: the outlines of float_corners.hpp as polygons, decided in integers.
+// [choice:line-arithmetic] [vk:primsrast-polygons-basic]
+#include <algorithm>
+
+#include "rasterizer/lines/line_coverage.hpp"
+#include "rasterizer/lines/tile_binning.hpp"
+
+namespace rasterdiff::rasterizer {
+namespace {
+
+struct Outline {
+  std::array<EdgeFunction, 4> edges;
+  PixelArea seen;
+};
+
+class FloatCornerCoverage final : public LineCoverage {
+ public:
+  FloatCornerCoverage(std::vector<Outline> outlines, bool atSamples, float width)
+      : outlines_(std::move(outlines)), atSamples_(atSamples), width_(width) {}
+
+  bool covers(int64_t px, int64_t py, bool& tie) const override {
+    tie = false;
+    const int64_t x = px >> kSubpixelBits, y = py >> kSubpixelBits;
+    if (!atSamples_) {
+      px = x * kSubpixelOne + kSubpixelOne / 2;
+      py = y * kSubpixelOne + kSubpixelOne / 2;
+    }
+    bool covered = false;
+    for (const Outline& outline : outlines_) {
+      if (atSamples_ && !outline.seen.contains(static_cast<int32_t>(x), static_cast<int32_t>(y))) continue;
+      bool inside = true, touched = true, onEdge = false;
+      for (const EdgeFunction& edge : outline.edges) {
+        const int64_t value = edge.at(px, py);
+        inside = inside && (value > 0 || (value == 0 && edge.ownsTies));
+        touched = touched && value >= 0;
+        onEdge = onEdge || value == 0;
+      }
+      covered = covered || inside;
+      tie = tie || (touched && onEdge);
+    }
+    return covered;
+  }
+
+  // Corners lie within half the width and the moves along the line (a pixel) of the ends; centres stand for pixels.
+  double reach() const override { return (static_cast<double>(width_) / 2 + 3) * kSubpixelOne; }
+
+ private:
+  std::vector<Outline> outlines_;
+  bool atSamples_;  ///< each sample for itself; else the pixel's centre decides for all
+  float width_;
+};
+
+}  // namespace
+
+std::unique_ptr<LineCoverage> floatCornerCoverage(const LineEnds& ends, const LineStyle& style, const Rules& rules) {
+  const bool bresenham = style.mode == LineRasterizationMode::BRESENHAM;
+  // Bresenham lines switch multisampling off, but only where the topology is one of lines.
+  const bool multisampled = style.samples > 1 && (!bresenham || style.ofPolygon);
+  const float origin = multisampled ? 0.0F : 0.5F;
+  std::vector<FloatSegment> segments{{ends.floatA, ends.floatB}};
+  if (style.stipple.enabled) segments = dashes(ends.floatA, ends.floatB, style.stipple, !bresenham);
+
+  std::vector<Outline> outlines;
+  for (const FloatSegment& segment : segments) {
+    const std::optional<LineOutline> corners = bresenham ? bresenhamOutline(segment.a, segment.b, style.width, origin)
+                                                         : rectangularOutline(segment.a, segment.b, style.width, origin);
+    if (!corners) continue;
+    Outline outline;
+    for (size_t i = 0; i < 4; ++i) {
+      EdgeFunction& edge = outline.edges[i];
+      edge = edgeFunction((*corners)[i], (*corners)[(i + 1) % 4], rules.choices.tieOwner);
+      edge.ownsTies = (edge.dx != 0 || edge.dy != 0) && ownsLineTies(rules, edge.dx, edge.dy);
+    }
+    if (multisampled) outline.seen = binnedArea(*corners, style.area);
+    outlines.push_back(outline);
+  }
+  if (outlines.empty()) return nullptr;
+  return std::make_unique<FloatCornerCoverage>(std::move(outlines), multisampled, std::max(1.0F, style.width));
+}
+
+}  // namespace rasterdiff::rasterizer

@@ -1,0 +1,24 @@
+// Setup of filled triangles: the fan over a polygon, facing, culling, orientation, edge functions.
+// [vk:primsrast-polygons-basic]
+#pragma once
+
+#include "rasterizer/geometry.hpp"
+
+namespace rasterdiff::rasterizer {
+
+class PieceMaker {
+ public:
+  PieceMaker(const State& state, const Rules& rules, RuleCounts& counts) : state_(state), rules_(rules), counts_(counts) {}
+
+  /// Fills primitive.pieces from primitive.polygon. Pieces of zero area draw nothing.
+  void makePieces(Primitive& primitive) const;
+
+ private:
+  [[nodiscard]] bool isFront(int64_t area) const;
+
+  const State& state_;
+  const Rules& rules_;
+  RuleCounts& counts_;
+};
+
+}  // namespace rasterdiff::rasterizer

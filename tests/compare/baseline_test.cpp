@@ -1,0 +1,100 @@
+// Known differences: what an entry excuses, what it does not, and what happens when the driver is mended.
+#include "harness/compare/baseline.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "scene/catalogue/catalogue.hpp"
+
+namespace rasterdiff::harness {
+namespace {
+
+SceneResult resultOf(Verdict verdict, uint64_t differing, std::vector<std::string> valuePlanes = {}) {
+  SceneResult result;
+  result.id = "family/scene";
+  result.verdict = verdict;
+  result.differing = differing;
+  for (std::string& name : valuePlanes) {
+    ValueStats stats;
+    stats.name = std::move(name);
+    stats.differing = 1;
+    result.values.push_back(stats);
+  }
+  return result;
+}
+
+Baseline baselineFor(std::vector<std::string> planes) {
+  BaselineEntry entry;
+  entry.driver = "driver";
+  entry.version = "Version 1";
+  entry.scene = "family/*";
+  entry.planes = std::move(planes);
+  entry.rule = "R39";
+  entry.anchor = "vk:fragops-scissor";
+  entry.reason = "because";
+  return {{entry}};
+}
+
+BaselineStatus statusOf(const Baseline& baseline, SceneResult result, std::string_view driver = "driver",
+                        std::string_view info = "Version 1.2") {
+  applyBaseline(baseline, driver, info, result);
+  return result.baseline;
+}
+
+TEST(Baseline, ExcusesJustThePlanesItNames) {
+  const Baseline baseline = baselineFor({"depth", "coverage"});
+  EXPECT_EQ(statusOf(baseline, resultOf(Verdict::Differs, 3, {"depth"})), BaselineStatus::ExpectedDiff);
+  EXPECT_EQ(statusOf(baseline, resultOf(Verdict::Differs, 3)), BaselineStatus::None);
+  EXPECT_EQ(statusOf(baseline, resultOf(Verdict::Differs, 3, {"depth", "colour"})), BaselineStatus::None);
+}
+
+TEST(Baseline, ExcusesNoOtherDriverVersionOrScene) {
+  const Baseline baseline = baselineFor({"coverage"});
+  SceneResult result = resultOf(Verdict::Differs, 1);
+  EXPECT_EQ(statusOf(baseline, result, "another"), BaselineStatus::None);
+  EXPECT_EQ(statusOf(baseline, result, "driver", "Version 2.0"), BaselineStatus::None);
+  result.id = "other/scene";
+  EXPECT_EQ(statusOf(baseline, result), BaselineStatus::None);
+}
+
+TEST(Baseline, ExcusesNoCrash) {
+  EXPECT_EQ(statusOf(baselineFor({"coverage"}), resultOf(Verdict::Crashed, 0)), BaselineStatus::None);
+}
+
+TEST(Baseline, EntryOfAMendedDriverIsUnexpected) {
+  for (const Verdict verdict : {Verdict::Same, Verdict::Allowed}) {
+    SceneResult result = resultOf(verdict, 0);
+    applyBaseline(baselineFor({"coverage"}), "driver", "Version 1.2", result);
+    EXPECT_EQ(result.baseline, BaselineStatus::Improved);
+    EXPECT_TRUE(isUnexpected(result));
+  }
+}
+
+TEST(Baseline, SurvivesItsFile) {
+  const std::string text = writeBaseline(baselineFor({"coverage", "depth"}));
+  const Result<Baseline> read = parseBaseline(text, "file.json");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(writeBaseline(*read), text);
+}
+
+TEST(Baseline, BadFilesAreRefusedWithTheirPlace) {
+  const auto whereOf = [](std::string_view text) { return parseBaseline(text, "f.json").error().where; };
+  EXPECT_EQ(whereOf("{\n \"entries\": [,]}").substr(0, 9), "f.json:2:");
+  EXPECT_EQ(whereOf("[]"), "f.json");
+  EXPECT_EQ(whereOf("{\"entries\": [{\"driver\": 3}]}"), "f.json: entries[0]");
+  EXPECT_EQ(whereOf("{\"entries\": [{\"driver\": \"a\", \"scene\": \"b\", \"planes\": [\"depth\"]}]}"), "f.json: entries[0]");
+  EXPECT_EQ(whereOf("{\"entries\": [{\"colour\": \"a\"}]}"), "f.json: entries[0]");
+}
+
+TEST(BuiltInBaseline, NamesScenesOfTheCatalogueAndGivesReasons) {
+  for (const BaselineEntry& entry : builtInBaseline().entries) {
+    EXPECT_FALSE(matchCatalogue(entry.scene).empty()) << entry.scene;
+    EXPECT_TRUE(entry.anchor.starts_with("vk:")) << entry.scene;
+    EXPECT_FALSE(entry.reason.empty());
+    EXPECT_FALSE(entry.rule.empty());
+  }
+}
+
+}  // namespace
+}  // namespace rasterdiff::harness
