@@ -83,7 +83,7 @@ std::vector<AssembledTriangle> assemble(const Draw& draw, const State& state, De
   assembler.assembled.reserve(primitiveCount(state, draw));
   const uint32_t vertices = vertexCount(draw);
   uint32_t base = 0;
-  // [vk:drawing-primitive-restart] the special index ends one strip, fan or list and begins the next.
+  // [vk:VkPipelineInputAssemblyStateCreateInfo] the special index ends one strip, fan or list and begins the next.
   if (state.primitiveRestartEnable && draw.indices) {
     for (uint32_t i = 0; i < vertices; ++i) {
       if ((*draw.indices)[i] != kRestartIndex) continue;

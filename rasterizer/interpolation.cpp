@@ -11,6 +11,9 @@
 namespace rasterdiff::rasterizer {
 namespace {
 
+// Of a polygon that nine planes and the four sides of a pixel may have cut.
+constexpr size_t kMostCorners = 32;
+
 double weighted(const std::array<double, 3>& weights, const std::array<double, 3>& values) {
   return weights[0] * values[0] + weights[1] * values[1] + weights[2] * values[2];
 }
@@ -274,7 +277,8 @@ void PieceValues::setFigureBias(const Figure& figure) {
 Interval PieceValues::inputOver(size_t component, const EvaluationRegion& region) const {
   const auto over = [&](const ValuePlanes& planes) {
     if (atPoint_ || components_[component].kind == Kind::Linear) return linearOver(planes.inputs[component], region);
-    return quotientOver(planes.inputs[component], planes.reciprocalW, region);
+    const Denominator<kMostCorners> denominator(planes.reciprocalW, region);
+    return quotientOver(planes.inputs[component], denominator, region);
   };
   const Interval value = over(planes_);
   return alternative_ ? hullOf(value, over(*alternative_)) : value;
@@ -286,8 +290,11 @@ Interval PieceValues::depthOver(const EvaluationRegion& region) const {
 }
 
 Interpolated PieceValues::depth(double x, double y) const {
+  const EvaluationRegion there{{x, y}, {}};
+  if (figure_ == nullptr && depthStage_.isPlain()) return toFloat(linearOver(planes_.depth, there));
+  if (!centreDepth_) return depthStage_.stored(depthOver(there));
   const Spot centre{std::floor(x) + 0.5, std::floor(y) + 0.5};
-  return depthStage_.stored(depthOver({{x, y}, centreDepth_ ? std::span(&centre, 1) : std::span<const Spot>{}}));
+  return depthStage_.stored(depthOver({{x, y}, std::span(&centre, 1)}));
 }
 
 EvaluationRegion PieceValues::regionOf(const Component& component, const FragmentPlace& place) {
@@ -307,10 +314,15 @@ EvaluationRegion PieceValues::regionOf(const Component& component, const Fragmen
 
 void PieceValues::fragment(const FragmentPlace& place, Interpolated* out) {
   const EvaluationRegion centre = location_.around(centreOf(place), centreStorage_);
+  const bool triangle = figure_ == nullptr;
+  const Denominator<4> denominator(planes_.reciprocalW, centre);  // of the many that are evaluated around the centre
   for (size_t c = 0; c < components_.size(); ++c) {
     const Component& component = components_[c];
     if (component.kind == Kind::Flat || (atPoint_ && !figure_->a.made)) {
       *out++ = exactly(constants_[c]);
+    } else if (triangle && component.location == Location::Centre) {
+      const LinearFunction& f = planes_.inputs[c];
+      *out++ = toFloat(component.kind == Kind::Linear ? linearOver(f, centre) : quotientOver(f, denominator, centre));
     } else {
       *out++ = toFloat(inputOver(c, component.location == Location::Centre ? centre : regionOf(component, place)));
     }

@@ -41,26 +41,13 @@ layout(location = 7) in float pointSize;
 layout(constant_id = 0) const int kClipDistances = 1;
 layout(location = 8) in vec4 firstClipDistances;
 layout(location = 9) in vec4 furtherClipDistances;
+out float gl_ClipDistance[kClipDistances];
 #endif
 #ifdef CULL_DISTANCES
 layout(constant_id = 1) const int kCullDistances = 1;
 layout(location = 10) in vec4 firstCullDistances;
 layout(location = 11) in vec4 furtherCullDistances;
-#endif
-
-#if defined(POINT_SIZE) || defined(CLIP_DISTANCES) || defined(CULL_DISTANCES)
-out gl_PerVertex {
-  vec4 gl_Position;
-#ifdef POINT_SIZE
-  float gl_PointSize;
-#endif
-#ifdef CLIP_DISTANCES
-  float gl_ClipDistance[kClipDistances];
-#endif
-#ifdef CULL_DISTANCES
-  float gl_CullDistance[kCullDistances];
-#endif
-};
+out float gl_CullDistance[kCullDistances];
 #endif
 
 #if defined(PRIMITIVE_FROM_VERTEX) || defined(VIEWPORT_INDEX)

@@ -9,22 +9,6 @@ VkFormat varyingFormat(uint32_t components) {
                            : VK_FORMAT_R32G32B32A32_SFLOAT;
 }
 
-std::string_view nameOf(DepthFormat format) {
-  switch (format) {
-    case DepthFormat::D16_UNORM:
-      return "D16_UNORM";
-    case DepthFormat::X8_D24_UNORM_PACK32:
-      return "X8_D24_UNORM_PACK32";
-    case DepthFormat::D32_SFLOAT:
-      return "D32_SFLOAT";
-    case DepthFormat::D24_UNORM_S8_UINT:
-      return "D24_UNORM_S8_UINT";
-    case DepthFormat::D32_SFLOAT_S8_UINT:
-      break;
-  }
-  return "D32_SFLOAT_S8_UINT";
-}
-
 bool isDepthFormat(VkFormat format) {
   return format >= VK_FORMAT_D16_UNORM && format <= VK_FORMAT_D32_SFLOAT_S8_UINT;
 }

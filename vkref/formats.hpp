@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <string_view>
 
 #include "scene/vulkan_enums.hpp"
 
@@ -19,8 +18,6 @@ inline constexpr std::array kDepthFormats = {DepthFormat::D16_UNORM, DepthFormat
 
 /// Format of a varying's or built-in's attachment, by components 1..4; three are stored as four.
 [[nodiscard]] VkFormat varyingFormat(uint32_t components);
-[[nodiscard]] std::string_view nameOf(DepthFormat format);
-
 [[nodiscard]] bool isDepthFormat(VkFormat format);
 [[nodiscard]] bool hasStencil(VkFormat format);
 /// Bits of a depth that is stored as an unsigned normalized integer; 0 for one that is stored as a float.

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "scene/file/enum_names.hpp"
 #include "vkref/memory.hpp"
 #include "vkref/offered_state.hpp"
 #include "vkref/plan.hpp"
@@ -40,7 +41,7 @@ Result<void> checkDepthFormat(DepthFormat format, uint32_t samples, const Capabi
   const auto found = std::find(kDepthFormats.begin(), kDepthFormats.end(), format);
   const size_t index = static_cast<size_t>(found - kDepthFormats.begin());
   if (index < kDepthFormats.size() && (caps.depthSampleCounts[index] & samples)) return {};
-  return notOffered("target.depthFormat", fmt::format("{} is not offered with {} sample{}", nameOf(format), samples,
+  return notOffered("target.depthFormat", fmt::format("{} is not offered with {} sample{}", enumName(format), samples,
                                                       samples == 1 ? "" : "s"));
 }
 

@@ -37,7 +37,7 @@ Result<void> checkLines(const State& state, const Capabilities& caps) {
       {mode == RECTANGULAR, lines.rectangularLines, kMode, "needs rectangularLines of VK_EXT_line_rasterization"},
       {mode == BRESENHAM, lines.bresenhamLines, kMode, "needs bresenhamLines of VK_EXT_line_rasterization"},
       {mode == RECTANGULAR_SMOOTH, lines.smoothLines, kMode, "needs smoothLines of VK_EXT_line_rasterization"},
-      // [vk:VkPipelineRasterizationLineStateCreateInfoEXT] the default mode is rectangular where lines are strict
+      // [vk:VkPipelineRasterizationLineStateCreateInfo] the default mode is rectangular where lines are strict
       {state.stippledLineEnable && mode == DEFAULT, lines.stippledRectangularLines && caps.limits.strictLines,
        kStipple, "needs stippledRectangularLines of VK_EXT_line_rasterization, and strictLines"},
       {state.stippledLineEnable && mode == RECTANGULAR, lines.stippledRectangularLines, kStipple,
@@ -142,10 +142,6 @@ Result<void> checkState(const Scene& scene, const Capabilities& caps) {
 
 Result<void> checkShaders(const Scene& scene, const RenderPlan& plan, const Capabilities& caps) {
   const Draw& draw = scene.draws.front();
-  if (scene.state.alphaToCoverageEnable && (draw.varyings.empty() || draw.varyings[0].components != 4)) {
-    return fail(ErrorCode::BadInput, "state.alphaToCoverageEnable", "alpha is missing",
-                "give the first varying four components");
-  }
   const Result<void> needs = checkNeeds({
       {draw.clipDistanceCount > 0, caps.core().shaderClipDistance, "draws[0].clipDistances",
        "needs shaderClipDistance"},

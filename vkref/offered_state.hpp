@@ -12,8 +12,7 @@ namespace rasterdiff::vkref {
 /// Fixed-function state: polygons, lines, points, depth, multisampling. Error: NotOffered.
 [[nodiscard]] Result<void> checkState(const Scene& scene, const Capabilities& caps);
 
-/// What shaders have to declare: distances, interpolations, built-ins. Error: NotOffered; BadInput where alpha has to come
-/// from a varying that the scene does not have.
+/// What shaders have to declare: distances, interpolations, built-ins. Error: NotOffered.
 [[nodiscard]] Result<void> checkShaders(const Scene& scene, const RenderPlan& plan, const Capabilities& caps);
 
 }  // namespace rasterdiff::vkref

@@ -33,8 +33,8 @@ RenderPlan planOf(const Scene& scene, const Capabilities& caps) {
   plan.samples = scene.target.samples;
   plan.varyings = needs.varyings;
   if (needs.depth) plan.depth = static_cast<VkFormat>(*scene.target.depthFormat);
-  plan.resolve = scene.target.resolve && plan.samples > 1;
-  plan.alphaToCoverage = scene.state.alphaToCoverageEnable && needs.varyings > 0;
+  plan.resolve = needs.resolve;
+  plan.alphaToCoverage = scene.state.alphaToCoverageEnable;
   // [vk:primsrast-sampleshading] one shader that reads either built-in runs for every sample; so do all our passes.
   plan.sampleShading = observes(scene, BuiltIn::SampleId) || observes(scene, BuiltIn::SamplePosition);
   plan.viewportIndex = !scene.furtherViewports.empty() && caps.core().multiViewport &&

@@ -193,13 +193,9 @@ Result<Frame> frameOf(const Scene& scene, const RenderPlan& plan, const Readback
                                        : builtInName(scene.builtIns[v - plan.varyings]));
     frame.varyings.push_back(
         {std::move(name), plane(float{}, plan.samples, components, readback.color[i]), std::nullopt});
-    if (v >= plan.varyings || !scene.target.resolve) continue;
-    if (plan.resolve) {
-      frame.resolved.push_back(
-          {frame.varyings.back().name, plane(float{}, 1, components, readback.resolved[v]), std::nullopt});
-    } else {
-      frame.resolved.push_back(frame.varyings.back());
-    }
+    if (v >= readback.resolved.size()) continue;
+    frame.resolved.push_back(
+        {frame.varyings.back().name, plane(float{}, 1, components, readback.resolved[v]), std::nullopt});
   }
   return frame;
 }

@@ -34,6 +34,7 @@ Frame withOneSampleOf(const Frame& reference, const Frame& actual, const rasteri
   frame.count = reference.count;
   frame.depth = reference.depth;
   for (const VaryingPlane& varying : reference.varyings) frame.varyings.push_back({varying.name, varying.values, {}});
+  for (const VaryingPlane& plane : reference.resolved) frame.resolved.push_back({plane.name, plane.values, {}});
   const auto take = [&](auto& into, const auto& from) {
     for (uint32_t c = 0; c < into.components; ++c) {
       into.at(query.x, query.y, query.sample, c) = from.at(query.x, query.y, query.sample, c);
@@ -95,9 +96,8 @@ int runVerb(const ExplainOptions& options) {
   }
   const Result<Job> job = selectScene(options.scene);
   if (!job) return complain(job.error(), nextCommand(job.error(), "explain"));
-  const Result<Scene> scene = job->make();
+  const Result<Scene> scene = drawable(*job);
   if (!scene) return complain(scene.error(), nextCommand(scene.error(), "explain"));
-  if (const Result<void> valid = validate(*scene); !valid) return complain(valid.error(), "rasterdiff explain --help");
   if (const Result<void> inside = checkPlace(*scene, options); !inside) {
     return complain(inside.error(), "rasterdiff explain --help");
   }

@@ -58,7 +58,7 @@ int runVerb(const RenderOptions& options) {
   }
   const Result<Job> job = selectScene(options.scene);
   if (!job) return complain(job.error(), nextCommand(job.error(), "render"));
-  const Result<Scene> scene = job->make();
+  const Result<Scene> scene = drawable(*job);
   if (!scene) return complain(scene.error(), nextCommand(scene.error(), "render"));
   const Result<std::string> written =
       options.withDriver

@@ -94,9 +94,8 @@ void conclude(CheckedScene& checked, const Error& error) {
 Result<void> drawAndCompare(SceneEntry& entry, const Job& job, Subject& subject, const rasterizer::Rules& rules,
                             const CheckSettings& settings, const std::function<void(std::string_view)>& entering) {
   entering("scene");
-  Result<Scene> scene = job.make();
+  const Result<Scene> scene = drawable(job);
   if (!scene) return tl::unexpected(scene.error());
-  if (Result<void> valid = validate(*scene); !valid) return valid;
   entry.width = scene->target.width;
   entry.height = scene->target.height;
   entry.samplesPerPixel = scene->target.samples;

@@ -11,6 +11,7 @@
 #include "harness/cli/random_family.hpp"
 #include "scene/catalogue/catalogue.hpp"
 #include "scene/file/scene_file.hpp"
+#include "scene/supersample.hpp"
 
 namespace rasterdiff::harness::cli {
 namespace {
@@ -114,6 +115,13 @@ Result<std::vector<Job>> withBatches(std::vector<Job> jobs, const RandomCount& c
 }
 
 }  // namespace
+
+Result<Scene> drawable(const Job& job) {
+  Result<Scene> scene = job.make();
+  if (!scene) return scene;
+  if (Result<void> valid = validate(*scene); !valid) return tl::unexpected(valid.error());
+  return supersampled(*scene);
+}
 
 Result<std::vector<Job>> selectScenes(std::span<const std::string> words, const std::optional<RandomCount>& count) {
   const std::vector<std::string> everything{"*"};

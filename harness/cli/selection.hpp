@@ -29,6 +29,9 @@ struct RandomCount {
 };
 inline constexpr uint32_t kBatchTriangles = 500;
 
+/// The scene as it is drawn: made, checked, and enlarged if it wants supersampling.
+[[nodiscard]] Result<Scene> drawable(const Job& job);
+
 /// No words = the whole catalogue. Batches of one family have one id and follow each other.
 /// Error: BadInput or Io with `file:line:col`; a word that names nothing; `count` without a random family.
 [[nodiscard]] Result<std::vector<Job>> selectScenes(std::span<const std::string> words,

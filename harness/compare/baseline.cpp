@@ -66,7 +66,7 @@ const Baseline& builtInBaseline() {
 
 Result<Baseline> loadBaseline(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) return fail(ErrorCode::Io, path, "the baseline cannot be read", "write one with: rasterdiff bless FILE");
+  if (!file) return fail(ErrorCode::Io, path, "the baseline cannot be read", "harness/compare/known_differences.json in the sources is an example");
   const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   return parseBaseline(text, path);
 }

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <span>
 
 #include "harness/compare/legal_outcomes.hpp"
 #include "harness/compare/value_accumulator.hpp"
+#include "rasterizer/depth/format.hpp"
+#include "rasterizer/fragment/resolve.hpp"
+#include "rasterizer/fragment/value_freedoms.hpp"
 
 namespace rasterdiff::harness {
 namespace {
@@ -30,6 +34,8 @@ class Comparison {
       : scene_(scene), rules_(rules), reference_(reference), actual_(actual) {
     if (reference.depth) values_.emplace_back("depth");
     for (const VaryingPlane& varying : reference.varyings) values_.emplace_back(varying.name);
+    for (const VaryingPlane& plane : reference.resolved) values_.emplace_back(plane.name + ".resolved");
+    if (reference.depth) clearDepth_ = rasterizer::clearedDepth(scene.target.depthClearValue, *scene.target.depthFormat).bounds;
   }
 
   Result<SceneResult> run() {
@@ -53,6 +59,7 @@ class Comparison {
       }
     }
     if (Result<void> judged = judgeQueries(); !judged) return tl::unexpected<Error>(judged.error());
+    compareResolved();
     finish();
     return std::move(result_);
   }
@@ -65,7 +72,7 @@ class Comparison {
       if (drawn) {
         values_[plane].add(at, expected, actual, legal);
       } else {
-        values_[plane].addUndrawn(at, expected, actual);
+        values_[plane].addUndrawn(at, expected, actual, legal);
       }
     };
     if (reference_.depth) {
@@ -79,6 +86,27 @@ class Comparison {
         const size_t at = index * components + c;
         compareOne(static_cast<uint32_t>(c), expected.values.data[at], actual_.varyings[v].values.data[at],
                    expected.bounds->data[at]);
+      }
+    }
+  }
+
+  // [vk:VkResolveModeFlagBits] A resolved value is the mean of the samples that the same side drew, whatever they are.
+  void compareResolved() {
+    const size_t first = values_.size() - actual_.resolved.size();
+    std::vector<Bounds> exact;
+    for (size_t v = 0; v < actual_.resolved.size(); ++v) {
+      const Plane<float>& samples = actual_.varyings[v].values;
+      const Plane<float>& means = actual_.resolved[v].values;
+      const size_t components = samples.components, perPixel = samples.samples * components;
+      for (size_t i = 0; i < means.data.size(); ++i) {
+        const size_t pixel = i / components, component = i % components;
+        const std::span<const float> own = std::span(samples.data).subspan(pixel * perPixel + component, perPixel - component);
+        exact.clear();
+        for (const float value : own) exact.push_back({value, value});
+        const rasterizer::Interpolated mean = rasterizer::meanOf(own, exact, components);
+        values_[first + v].add({static_cast<uint32_t>(pixel % means.width), static_cast<uint32_t>(pixel / means.width), 0,
+                                static_cast<uint32_t>(component)},
+                               mean.value, means.data[i], mean.bounds);
       }
     }
   }
@@ -125,7 +153,7 @@ class Comparison {
     d.actualPrimitive = actual_.primitive.data[index];
     d.expectedCount = reference_.count.data[index];
     d.actualCount = actual_.count.data[index];
-    const Outcome outcome = judgeOutcome(scene_.state, scene_.target.depthClearValue, reference_.depth.has_value(),
+    const Outcome outcome = judgeOutcome(scene_.state, clearDepth_, reference_.depth.has_value(),
                                          candidates, d.actualPrimitive, d.actualCount);
     if (outcome.legal) {
       const rasterizer::FreedomInfo& freedom = rasterizer::info(outcome.freedom);
@@ -159,9 +187,13 @@ class Comparison {
     }
     uint64_t valuesAllowed = 0, valuesDiffering = 0;
     std::string wrongPlanes;
-    for (ValueAccumulator& accumulator : values_) {
-      result_.values.push_back(accumulator.take());
+    const std::vector<Freedom> planeFreedoms = rasterizer::valueFreedoms(scene_, rules_);
+    for (size_t plane = 0; plane < values_.size(); ++plane) {
+      result_.values.push_back(values_[plane].take());
       const ValueStats& stats = result_.values.back();
+      if (stats.allowed > 0 && planeFreedoms[plane] != Freedom::None) {
+        result_.freedoms[std::string(rasterizer::info(planeFreedoms[plane]).id)] += 0;
+      }
       valuesAllowed += stats.allowed;
       valuesDiffering += stats.differing;
       if (stats.differing > 0) wrongPlanes += fmt::format("{}{}", wrongPlanes.empty() ? "" : ", ", stats.name);
@@ -188,7 +220,8 @@ class Comparison {
   const Frame& reference_;
   const Frame& actual_;
   SceneResult result_;
-  std::vector<ValueAccumulator> values_;
+  Bounds clearDepth_;
+  std::vector<ValueAccumulator> values_;  // depth, varyings, built-ins, resolved planes
   std::vector<SampleQuery> queries_;
   std::vector<SampleDifference> differing_, allowed_;
 };
@@ -200,8 +233,11 @@ bool alike(const Plane<T>& a, const Plane<T>& b) {
 
 bool alike(const Frame& a, const Frame& b) {
   if (!alike(a.primitive, b.primitive) || !alike(a.count, b.count) || a.depth.has_value() != b.depth.has_value() ||
-      a.varyings.size() != b.varyings.size()) {
+      a.varyings.size() != b.varyings.size() || a.resolved.size() != b.resolved.size()) {
     return false;
+  }
+  for (size_t v = 0; v < a.resolved.size(); ++v) {
+    if (!alike(a.resolved[v].values, b.resolved[v].values)) return false;
   }
   for (size_t v = 0; v < a.varyings.size(); ++v) {
     if (!alike(a.varyings[v].values, b.varyings[v].values)) return false;

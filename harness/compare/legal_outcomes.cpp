@@ -30,9 +30,9 @@ void addState(std::vector<SampleState>& states, const SampleState& state) {
   states.push_back(state);
 }
 
-bool reachable(const State& state, float clear, bool hasDepth, std::span<const Candidate> candidates,
+bool reachable(const State& state, Bounds clear, bool hasDepth, std::span<const Candidate> candidates,
                std::span<const Coverage> coverage, uint32_t winner, uint32_t count) {
-  std::vector<SampleState> states{{0, {clear, clear}, 0, 0}};
+  std::vector<SampleState> states{{0, clear, 0, 0}};
   const bool tests = hasDepth && state.depthTestEnable;
   for (size_t i = 0; i < candidates.size(); ++i) {
     if (coverage[i] == Coverage::Out) continue;
@@ -80,7 +80,7 @@ Freedom explanation(std::span<const Candidate> candidates) {
 
 }  // namespace
 
-Outcome judgeOutcome(const State& state, float depthClearValue, bool hasDepth, std::span<const Candidate> candidates,
+Outcome judgeOutcome(const State& state, Bounds clearDepth, bool hasDepth, std::span<const Candidate> candidates,
                      uint32_t winner, uint32_t count) {
   Outcome outcome;
   std::vector<Coverage> coverage;
@@ -97,7 +97,7 @@ Outcome judgeOutcome(const State& state, float depthClearValue, bool hasDepth, s
       coverage[pairs[k].first] = first ? Coverage::In : Coverage::Out;
       coverage[pairs[k].second] = first ? Coverage::Out : Coverage::In;
     }
-    outcome.legal = reachable(state, depthClearValue, hasDepth, candidates, coverage, winner, count);
+    outcome.legal = reachable(state, clearDepth, hasDepth, candidates, coverage, winner, count);
   }
   if (outcome.legal) outcome.freedom = explanation(candidates);
   return outcome;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "harness/compare/ulp.hpp"
 
@@ -26,6 +27,10 @@ void ValueAccumulator::add(const Place& place, float expected, float actual, Bou
     ++stats_.same;
     return;
   }
+  if (std::isnan(actual) && legal.hi - legal.lo == std::numeric_limits<float>::infinity()) {
+    ++stats_.allowed;  // undefined, so that it may be no number either
+    return;
+  }
   const double ulps = ulpDistance(expected, actual);
   if (std::isfinite(ulps)) ulpSum_ += ulps;
   if (ulps > stats_.maxUlp || !stats_.worst) {
@@ -46,8 +51,10 @@ void ValueAccumulator::add(const Place& place, float expected, float actual, Bou
   }
 }
 
-void ValueAccumulator::addUndrawn(const Place& place, float clear, float actual) {
-  if (std::bit_cast<uint32_t>(clear) != std::bit_cast<uint32_t>(actual)) differs(place, clear, actual, {clear, clear});
+void ValueAccumulator::addUndrawn(const Place& place, float clear, float actual, Bounds legal) {
+  if (std::bit_cast<uint32_t>(clear) == std::bit_cast<uint32_t>(actual)) return;
+  const bool either = legal.lo < legal.hi && actual >= legal.lo && actual <= legal.hi;
+  if (!either) differs(place, clear, actual, legal);
 }
 
 ValueStats ValueAccumulator::take() {

@@ -17,8 +17,9 @@ class ValueAccumulator {
   };
   /// A value where both sides drew the same primitive.
   void add(const Place& place, float expected, float actual, Bounds legal);
-  /// A value where neither side drew: the driver has to leave the clear value.
-  void addUndrawn(const Place& place, float clear, float actual);
+  /// A value where neither side drew: the driver has to leave the clear value, which in a fixed-point attachment may be
+  /// either of two.
+  void addUndrawn(const Place& place, float clear, float actual, Bounds legal);
 
   [[nodiscard]] ValueStats take();
 

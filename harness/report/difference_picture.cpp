@@ -47,6 +47,18 @@ class Marker {
   Marker(const Frame& reference, const Frame& actual, const SceneResult& result)
       : reference_(reference), actual_(actual), onlyAllowed_(result.differing == 0), onlyDiffers_(result.allowed == 0) {}
 
+  /// Of the values that samples were resolved to; resolved planes have one sample a pixel.
+  [[nodiscard]] Mark markOfResolved(size_t pixel) const {
+    Mark mark = Mark::Empty;
+    const size_t planes = std::min(reference_.resolved.size(), actual_.resolved.size());
+    for (size_t v = 0; v < planes; ++v) {
+      const VaryingPlane& expected = reference_.resolved[v];
+      const Mark value = markOfValues(expected.values, expected.bounds, actual_.resolved[v].values, pixel);
+      if (value != Mark::Same) mark = std::max(mark, value);
+    }
+    return mark;
+  }
+
   [[nodiscard]] Mark markOf(size_t sample) const {
     if (reference_.primitive.data[sample] != actual_.primitive.data[sample] ||
         reference_.count.data[sample] != actual_.count.data[sample]) {
@@ -117,7 +129,7 @@ Image differenceImage(const Frame& reference, const Frame& actual, const SceneRe
   const Marker marker(reference, actual, result);
   const size_t pixels = size_t{reference.width} * reference.height;
   for (size_t pixel = 0; pixel < pixels; ++pixel) {
-    Mark mark = Mark::Empty;
+    Mark mark = marker.markOfResolved(pixel);
     for (uint32_t s = 0; s < reference.samples; ++s) mark = std::max(mark, marker.markOf(pixel * reference.samples + s));
     put(image, pixel, mark);
   }

@@ -54,9 +54,9 @@ std::string_view word(Coverage coverage) {
 }
 
 void writePrimitive(Out out, const PrimitiveExplanation& primitive, bool open, bool depth) {
-  fmt::format_to(out, "primitive {}{}: {}-facing{}, signed area {} pixel^2\n", primitive.primitive,
+  fmt::format_to(out, "primitive {}{}: {}-facing{}, signed area a = {} pixel^2\n", primitive.primitive,
                  primitive.clipped ? " (a piece that clipping made)" : "", primitive.frontFacing ? "front" : "back",
-                 primitive.culled ? ", CULLED" : "", squarePixels(primitive.doubleArea) / 2);
+                 primitive.culled ? ", CULLED" : "", 0 - squarePixels(primitive.doubleArea) / 2);  // Vulkan's a
   for (size_t v = 0; v < 3; ++v) {
     const ClipPosition& clip = primitive.clip[v];
     const SubpixelPosition& snapped = primitive.snapped[v];

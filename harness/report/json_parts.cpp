@@ -94,7 +94,23 @@ Json jsonOf(const Limits& limits) {
           {"maxFramebufferWidth", limits.maxFramebufferWidth},
           {"maxFramebufferHeight", limits.maxFramebufferHeight},
           {"provokingVertexLast", limits.provokingVertexLast},
-          {"depthClipControl", limits.depthClipControl}};
+          {"depthClipControl", limits.depthClipControl},
+          {"strictLines", limits.strictLines},
+          {"rectangularLines", limits.rectangularLines},
+          {"bresenhamLines", limits.bresenhamLines},
+          {"smoothLines", limits.smoothLines},
+          {"stippledRectangularLines", limits.stippledRectangularLines},
+          {"stippledBresenhamLines", limits.stippledBresenhamLines},
+          {"lineWidthMin", limits.lineWidthMin},
+          {"lineWidthMax", limits.lineWidthMax},
+          {"lineWidthGranularity", limits.lineWidthGranularity},
+          {"pointSizeMin", limits.pointSizeMin},
+          {"pointSizeMax", limits.pointSizeMax},
+          {"pointSizeGranularity", limits.pointSizeGranularity},
+          {"pointClippingBehavior", static_cast<uint32_t>(limits.pointClippingBehavior)},
+          {"subPixelInterpolationOffsetBits", limits.subPixelInterpolationOffsetBits},
+          {"minInterpolationOffset", limits.minInterpolationOffset},
+          {"maxInterpolationOffset", limits.maxInterpolationOffset}};
 }
 
 Json jsonOf(const SceneResult& result) {

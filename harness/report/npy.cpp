@@ -61,6 +61,9 @@ Result<std::vector<std::filesystem::path>> writeNpyFiles(const std::filesystem::
   write("count", npyBytes(frame.count, false));
   if (frame.depth) write("depth", npyBytes(*frame.depth, false));
   for (const VaryingPlane& varying : frame.varyings) write(planeFileName(varying.name), npyBytes(varying.values, true));
+  for (const VaryingPlane& resolved : frame.resolved) {
+    write(planeFileName(resolved.name) + ".resolved", npyBytes(resolved.values, true));
+  }
   if (!written) return tl::unexpected(written.error());
   return files;
 }

@@ -1,5 +1,5 @@
 // Frames as .npy files for programs: `coverage`, `count` (uint32), `depth` and each varying (float32), little-endian,
-// C order, height × width × samples (× components for varyings).
+// C order, height × width × samples (× components for varyings). What a scene resolves: NAME.resolved, one sample a pixel.
 #pragma once
 
 #include <filesystem>

@@ -97,9 +97,33 @@ ErrorCode codeIn(const Json& json) {
 Error errorIn(const Json& json) { return {codeIn(json), json.at("where"), json.at("what"), json.at("hint")}; }
 
 Limits limitsIn(const Json& json) {
-  return {json.at("subPixelPrecisionBits"),   json.at("viewportSubPixelBits"), json.at("framebufferSampleCounts"),
-          json.at("standardSampleLocations"), json.at("maxFramebufferWidth"),  json.at("maxFramebufferHeight"),
-          json.at("provokingVertexLast"),     json.at("depthClipControl")};
+  Limits limits;
+  json.at("subPixelPrecisionBits").get_to(limits.subPixelPrecisionBits);
+  json.at("viewportSubPixelBits").get_to(limits.viewportSubPixelBits);
+  json.at("framebufferSampleCounts").get_to(limits.framebufferSampleCounts);
+  json.at("standardSampleLocations").get_to(limits.standardSampleLocations);
+  json.at("maxFramebufferWidth").get_to(limits.maxFramebufferWidth);
+  json.at("maxFramebufferHeight").get_to(limits.maxFramebufferHeight);
+  json.at("provokingVertexLast").get_to(limits.provokingVertexLast);
+  json.at("depthClipControl").get_to(limits.depthClipControl);
+  json.at("strictLines").get_to(limits.strictLines);
+  json.at("rectangularLines").get_to(limits.rectangularLines);
+  json.at("bresenhamLines").get_to(limits.bresenhamLines);
+  json.at("smoothLines").get_to(limits.smoothLines);
+  json.at("stippledRectangularLines").get_to(limits.stippledRectangularLines);
+  json.at("stippledBresenhamLines").get_to(limits.stippledBresenhamLines);
+  json.at("lineWidthMin").get_to(limits.lineWidthMin);
+  json.at("lineWidthMax").get_to(limits.lineWidthMax);
+  json.at("lineWidthGranularity").get_to(limits.lineWidthGranularity);
+  json.at("pointSizeMin").get_to(limits.pointSizeMin);
+  json.at("pointSizeMax").get_to(limits.pointSizeMax);
+  json.at("pointSizeGranularity").get_to(limits.pointSizeGranularity);
+  limits.pointClippingBehavior =
+      static_cast<PointClippingBehavior>(json.at("pointClippingBehavior").get<uint32_t>());
+  json.at("subPixelInterpolationOffsetBits").get_to(limits.subPixelInterpolationOffsetBits);
+  json.at("minInterpolationOffset").get_to(limits.minInterpolationOffset);
+  json.at("maxInterpolationOffset").get_to(limits.maxInterpolationOffset);
+  return limits;
 }
 
 /// Runs `read` on the parsed text; whatever the library throws becomes an Error.

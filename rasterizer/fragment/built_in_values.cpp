@@ -76,7 +76,7 @@ void BuiltInValues::setUp(const Primitive& primitive, const Figure& figure) {
   if (rules_.open && primitive.assembled.count == 3 && facingIsFree(cornersOf(primitive, figure.a.deviation))) {
     facing_.bounds = {0, 1};
   }
-  isPoint_ = figure.kind == Figure::Kind::Point;
+  isPoint_ = primitive.assembled.count == 1;
   if (!isPoint_) return;
   const RasterVertex& vertex = figure.a;
   const double sign = rules_.error == DeliberateError::PointCoordUp ? -1 : 1;
@@ -132,7 +132,7 @@ void BuiltInValues::fragCoord(const FragmentPlace& place, const AttributeLocatio
 
 void BuiltInValues::pointCoord(const FragmentPlace& place, const AttributeLocation& location, Interpolated* out) const {
   if (!isPoint_) {
-    // [vk:interfaces-builtin-variables-pointcoord] undefined outside of points.
+    // [vk:interfaces-builtin-variables-pointcoord] undefined for all but points, a triangle drawn as points too.
     out[0] = out[1] = toFloat({0, -kUnbounded, kUnbounded});
     return;
   }

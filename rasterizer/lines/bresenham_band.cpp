@@ -51,23 +51,37 @@ class IdealPixels {
     const int64_t nearest = std::clamp(centre, std::min(ax_, bx_), std::max(ax_, bx_));
     const int64_t room = kHalf + 2 * spread_ - std::llabs(centre - nearest);
     if (room < 0) return {};
-    const int64_t run = std::llabs(bx_ - ax_), rise = (by_ - ay_) * direction_;
-    int64_t low = std::min(ay_, by_), high = std::max(ay_, by_);
-    if (run > 0) {
-      const int64_t crossing = ay_ * run + rise * (nearest - ax_);  // ≤ 2^60
-      low = floorDivide(crossing, run);
-      high = ceilDivide(crossing, run);
-    }
-    MinorSpan span{ceilDivide(low - room - kHalf, kSubpixelOne), floorDivide(high + room - kHalf, kSubpixelOne)};
+    const Range crossing = minorAt(nearest);
+    MinorSpan span{ceilDivide(crossing.low - room - kHalf, kSubpixelOne),
+                   floorDivide(crossing.high + room - kHalf, kSubpixelOne)};
     while (span.first <= span.last && !endMayHaveLeft(major, span.first)) ++span.first;
     while (span.first <= span.last && !endMayHaveLeft(major, span.last)) --span.last;
     return span;
+  }
+
+  /// Pixels of a column that the line may pass through. Where the rule produces no fragment, the one that is allowed
+  /// beyond its number can only be one of these.
+  [[nodiscard]] MinorSpan touchedInColumn(int64_t major) const {
+    const int64_t low = std::min(ax_, bx_), high = std::max(ax_, bx_);
+    const int64_t left = major * kSubpixelOne, right = left + kSubpixelOne;
+    if (right < low - spread_ || left > high + spread_) return {};
+    const Range from = minorAt(std::clamp(left, low, high)), to = minorAt(std::clamp(right, low, high));
+    return {floorDivide(std::min(from.low, to.low) - 2 * spread_, kSubpixelOne),
+            floorDivide(std::max(from.high, to.high) + 2 * spread_, kSubpixelOne)};
   }
 
   /// Number of fragments before `major` on the way, if every column had one, and the first column had the start in it.
   [[nodiscard]] int64_t stepsTo(int64_t major) const { return (major - floorDivide(ax_, kSubpixelOne)) * direction_; }
 
  private:
+  /// The nominal line at a major coordinate between its ends, between two integers. // ≤ 2^60
+  [[nodiscard]] Range minorAt(int64_t major) const {
+    const int64_t run = std::llabs(bx_ - ax_), rise = (by_ - ay_) * direction_;
+    if (run == 0) return {std::min(ay_, by_), std::max(ay_, by_)};
+    const int64_t crossing = ay_ * run + rise * (major - ax_);
+    return {floorDivide(crossing, run), ceilDivide(crossing, run)};
+  }
+
   // The line must leave the diamond: an end that is surely inside does not, nor does one that is before its middle.
   [[nodiscard]] bool endMayHaveLeft(int64_t major, int64_t minor) const {
     const int64_t x = major * kSubpixelOne + kHalf, y = minor * kSubpixelOne + kHalf;
@@ -126,6 +140,8 @@ class BresenhamBand final : public LineBand {
  private:
   /// A fragment one pixel aside of an ideal one, or one of the width - 1 that follow it in its column.
   [[nodiscard]] static bool mayProduce(const Variant& variant, int64_t major, int64_t minor) {
+    const MinorSpan touched = variant.ideal.touchedInColumn(major);
+    if (touched.first <= touched.last && minor >= touched.first && minor < touched.last + variant.width) return true;
     for (int64_t column = major - 1; column <= major + 1; ++column) {
       const MinorSpan span = variant.ideal.inColumn(column);
       if (span.first <= span.last && minor >= span.first - 1 && minor <= span.last + variant.width) return true;

@@ -21,12 +21,10 @@ class SquarePoint final : public Shape {
   SquarePoint(const Axis& x, const Axis& y) : x_(x), y_(y) {}
 
   [[nodiscard]] Rows rows() const override {
-    return {static_cast<int32_t>(y_.possible.low >> kSubpixelBits), static_cast<int32_t>((y_.possible.high - 1) >> kSubpixelBits)};
+    const RowSpan span = pixels(y_);
+    return {span.begin, span.end - 1};
   }
-  [[nodiscard]] RowSpan columns(int32_t) const override {
-    return {static_cast<int32_t>(x_.possible.low >> kSubpixelBits),
-            static_cast<int32_t>((x_.possible.high - 1) >> kSubpixelBits) + 1};
-  }
+  [[nodiscard]] RowSpan columns(int32_t) const override { return pixels(x_); }
   [[nodiscard]] bool covers(int64_t px, int64_t py, bool& tie) const override {
     const auto onBorder = [](const Interval& i, int64_t p) { return p == i.low || p == i.high; };
     const auto touches = [](const Interval& i, int64_t p) { return p >= i.low && p <= i.high; };
@@ -42,6 +40,12 @@ class SquarePoint final : public Shape {
   }
 
  private:
+  // The nominal square may be larger than any legal one: a profile may have a bug.
+  static RowSpan pixels(const Axis& axis) {
+    const int64_t low = std::min(axis.possible.low, axis.nominal.low), high = std::max(axis.possible.high, axis.nominal.high);
+    return {static_cast<int32_t>(low >> kSubpixelBits), static_cast<int32_t>((high - 1) >> kSubpixelBits) + 1};
+  }
+
   Axis x_, y_;
 };
 

@@ -1,5 +1,7 @@
 #include "scene/catalogue/build.hpp"
 
+#include <fmt/format.h>
+
 #include "scene/camera/screen.hpp"
 
 namespace rasterdiff::families {
@@ -57,6 +59,21 @@ void useDepth(Scene& scene, CompareOp op, bool write, float clear) {
   scene.state.depthTestEnable = true;
   scene.state.depthWriteEnable = write;
   scene.state.depthCompareOp = op;
+}
+
+void useLines(Scene& scene, LineRasterizationMode mode, float width, PrimitiveTopology topology) {
+  scene.state.topology = topology;
+  scene.state.lineRasterizationMode = mode;
+  scene.state.lineWidth = width;
+}
+
+void usePoints(Scene& scene, float size) {
+  scene.state.topology = PrimitiveTopology::POINT_LIST;
+  scene.state.pointSize = size;
+}
+
+std::string issue(const std::string& repository, int number) {
+  return fmt::format("https://github.com/{}/issues/{}", repository, number);
 }
 
 void addVarying(Scene& scene, const std::string& name, Interpolation interpolation, uint32_t components) {

@@ -47,6 +47,14 @@ Draw& drawClip(Scene& scene, std::vector<ClipPosition> vertices);
 /// Adds a D32_SFLOAT attachment and the depth state.
 void useDepth(Scene& scene, CompareOp op = CompareOp::LESS, bool write = true, float clear = 1);
 
+/// The state for lines, and for points.
+void useLines(Scene& scene, LineRasterizationMode mode, float width = 1,
+              PrimitiveTopology topology = PrimitiveTopology::LINE_LIST);
+void usePoints(Scene& scene, float size = 1);
+
+/// The address of an issue (or pull request) on GitHub.
+[[nodiscard]] std::string issue(const std::string& repository, int number);
+
 /// Gives every vertex of every draw of the scene a different value in each component.
 void addVarying(Scene& scene, const std::string& name, Interpolation interpolation, uint32_t components = 4);
 
@@ -71,5 +79,31 @@ void addTiny(Entries& entries);
 void addFar(Entries& entries);
 void addRandom(Entries& entries);
 void addMesh(Entries& entries);
+void addPoint(Entries& entries);
+void addPointClip(Entries& entries);
+void addLineRect(Entries& entries);
+void addLineBresenham(Entries& entries);
+void addLineWide(Entries& entries);
+void addLineStipple(Entries& entries);
+void addLineStrip(Entries& entries);
+void addPolygonMode(Entries& entries);
+void addRestart(Entries& entries);
+void addDepthClip(Entries& entries);
+void addDepthFormat(Entries& entries);
+void addDepthBias(Entries& entries);
+void addDepthPrecision(Entries& entries);
+void addClipDistance(Entries& entries);
+void addCullDistance(Entries& entries);
+void addViewports(Entries& entries);
+void addSampleMask(Entries& entries);
+void addSampleShading(Entries& entries);
+void addCentroid(Entries& entries);
+void addOffset(Entries& entries);
+void addAlphaToCoverage(Entries& entries);
+void addBuiltIns(Entries& entries);
+void addResolve(Entries& entries);
+void addSupersample(Entries& entries);
+void addRandomLines(Entries& entries);
+void addRandomPoints(Entries& entries);
 
 }  // namespace rasterdiff::families

@@ -10,9 +10,16 @@ std::vector<CatalogueEntry> collect() {
   namespace f = families;
   f::Entries entries;
   for (auto* add :
-       {f::addFill,      f::addSharedEdge, f::addStrip,   f::addFan,   f::addIndexed,  f::addFacing,  f::addClip,
-        f::addNearPlane, f::addViewport,   f::addScissor, f::addDepth, f::addVaryings, f::addSamples, f::addOverlap,
-        f::addOrder,     f::addSliver,     f::addTiny,    f::addFar,   f::addRandom,   f::addMesh}) {
+       {f::addFill,          f::addSharedEdge,    f::addStrip,        f::addFan,          f::addIndexed,
+        f::addFacing,        f::addClip,          f::addNearPlane,    f::addViewport,     f::addScissor,
+        f::addDepth,         f::addVaryings,      f::addSamples,      f::addOverlap,      f::addOrder,
+        f::addSliver,        f::addTiny,          f::addFar,          f::addPoint,        f::addPointClip,
+        f::addLineRect,      f::addLineBresenham, f::addLineWide,     f::addLineStipple,  f::addLineStrip,
+        f::addPolygonMode,   f::addRestart,       f::addDepthClip,    f::addDepthFormat,  f::addDepthBias,
+        f::addDepthPrecision, f::addClipDistance, f::addCullDistance, f::addViewports,    f::addSampleMask,
+        f::addSampleShading, f::addCentroid,      f::addOffset,       f::addAlphaToCoverage, f::addBuiltIns,
+        f::addResolve,       f::addSupersample,   f::addRandom,       f::addRandomLines,  f::addRandomPoints,
+        f::addMesh}) {
     add(entries);
   }
   return entries;

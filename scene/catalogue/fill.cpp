@@ -73,6 +73,12 @@ void addFill(Entries& entries) {
   family.add("triangle-1x", "a plain triangle is filled at pixel centres", {"R14"}, [] { return triangle(1); });
   family.add("triangle-4x", "a plain triangle is filled at four samples a pixel", {"R14", "R17"},
              [] { return triangle(4); });
+  family.add("shared-diagonal", "the two triangles of a quad share a diagonal that runs through samples",
+             {"R14", "R15", "R17"}, [] {
+               Scene scene = square(64, 4);
+               draw(scene, rectangle(8.375, 8.125, 56.375, 56.125));
+               return scene;
+             });
   family.add("edges-through-centres",
              "horizontal, vertical and diagonal edges run through pixel centres in every orientation", {"R14", "R15"},
              edgesThroughCentres);

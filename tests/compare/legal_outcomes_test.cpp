@@ -38,7 +38,7 @@ Candidate tie(uint32_t primitive, SubpixelPosition from, SubpixelPosition to) {
 }
 
 Outcome judge(const std::vector<Candidate>& candidates, uint32_t winner, uint32_t count) {
-  return judgeOutcome(State{}, 1, false, candidates, winner, count);
+  return judgeOutcome(State{}, {1, 1}, false, candidates, winner, count);
 }
 
 bool legal(const std::vector<Candidate>& candidates, uint32_t winner, uint32_t count) {
@@ -136,7 +136,7 @@ TEST(Outcome, MorePairsThanAreDecidedStayFreeButNeverIllegal) {
 TEST(OutcomeWithDepth, TestDecidesWhereDepthsAreApart) {
   const std::vector<Candidate> two{certain(1, {0.2F, 0.3F}), certain(2, {0.6F, 0.7F})};
   const auto legalWith = [&](CompareOp op, uint32_t winner, uint32_t count) {
-    return judgeOutcome(depthState(op), 1, true, two, winner, count).legal;
+    return judgeOutcome(depthState(op), {1, 1}, true, two, winner, count).legal;
   };
   EXPECT_TRUE(legalWith(CompareOp::LESS, 1, 1));
   EXPECT_FALSE(legalWith(CompareOp::LESS, 2, 2));
@@ -148,25 +148,25 @@ TEST(OutcomeWithDepth, TestDecidesWhereDepthsAreApart) {
 
 TEST(OutcomeWithDepth, OrderIsFreeWhereIntervalsMeet) {
   const std::vector<Candidate> two{certain(1, {0.2F, 0.5F}), certain(2, {0.4F, 0.7F})};
-  const Outcome first = judgeOutcome(depthState(CompareOp::LESS), 1, true, two, 1, 1);
-  const Outcome second = judgeOutcome(depthState(CompareOp::LESS), 1, true, two, 2, 2);
+  const Outcome first = judgeOutcome(depthState(CompareOp::LESS), {1, 1}, true, two, 1, 1);
+  const Outcome second = judgeOutcome(depthState(CompareOp::LESS), {1, 1}, true, two, 2, 2);
   EXPECT_TRUE(first.legal);
   EXPECT_TRUE(second.legal);
   EXPECT_EQ(second.freedom, Freedom::Evaluation) << "nobody's coverage is free: the depths are";
-  EXPECT_FALSE(judgeOutcome(depthState(CompareOp::LESS), 1, true, two, 2, 1).legal);
+  EXPECT_FALSE(judgeOutcome(depthState(CompareOp::LESS), {1, 1}, true, two, 2, 1).legal);
 }
 
 TEST(OutcomeWithDepth, WithoutWriteEverybodyMeetsTheClearValue) {
   const std::vector<Candidate> two{certain(1, {0.2F, 0.3F}), certain(2, {0.6F, 0.7F})};
-  EXPECT_TRUE(judgeOutcome(depthState(CompareOp::LESS, false), 1, true, two, 2, 2).legal);
-  EXPECT_FALSE(judgeOutcome(depthState(CompareOp::LESS, false), 0.5F, true, two, 2, 2).legal);
-  EXPECT_TRUE(judgeOutcome(depthState(CompareOp::LESS, false), 0.5F, true, two, 1, 1).legal);
+  EXPECT_TRUE(judgeOutcome(depthState(CompareOp::LESS, false), {1, 1}, true, two, 2, 2).legal);
+  EXPECT_FALSE(judgeOutcome(depthState(CompareOp::LESS, false), {0.5F, 0.5F}, true, two, 2, 2).legal);
+  EXPECT_TRUE(judgeOutcome(depthState(CompareOp::LESS, false), {0.5F, 0.5F}, true, two, 1, 1).legal);
 }
 
 TEST(OutcomeWithDepth, WithoutTheTestDepthIsIgnored) {
   State state = depthState(CompareOp::NEVER);
   state.depthTestEnable = false;
-  EXPECT_TRUE(judgeOutcome(state, 1, true, std::vector<Candidate>{certain(1, {0.2F, 0.3F})}, 1, 1).legal);
+  EXPECT_TRUE(judgeOutcome(state, {1, 1}, true, std::vector<Candidate>{certain(1, {0.2F, 0.3F})}, 1, 1).legal);
 }
 
 // Every outcome that some choice of coverage (one owner a pair) and of depths from small sets gives, played exactly.
@@ -264,7 +264,7 @@ TEST(OutcomeBruteForce, WithDepthNothingThatCanBePlayedIsIllegal) {
     const Played played = playAll(state, true, candidates);
     for (uint32_t winner = 0; winner <= candidates.size(); ++winner) {
       for (uint32_t count = 0; count <= candidates.size() + 1; ++count) {
-        const bool judged = judgeOutcome(state, 1, true, candidates, winner, count).legal;
+        const bool judged = judgeOutcome(state, {1, 1}, true, candidates, winner, count).legal;
         if (played.outcomes.contains({winner, count})) {
           EXPECT_TRUE(judged) << "case " << i << ": " << winner << ", " << count;
           ++playedOutcomes;

@@ -93,8 +93,8 @@ TEST(ValueAccumulator, MeanIsOverAllComparedValues) {
 
 TEST(ValueAccumulator, UndrawnSamplesMustHoldTheClearValueBitByBit) {
   ValueAccumulator accumulator("v");
-  accumulator.addUndrawn({}, 0.5F, 0.5F);
-  accumulator.addUndrawn({4, 5, 0, 0}, 0.5F, std::nextafter(0.5F, 1.0F));
+  accumulator.addUndrawn({}, 0.5F, 0.5F, {0.5F, 0.5F});
+  accumulator.addUndrawn({4, 5, 0, 0}, 0.5F, std::nextafter(0.5F, 1.0F), {0.5F, 0.5F});
   const ValueStats stats = accumulator.take();
   EXPECT_EQ(stats.differing, 1U);
   ASSERT_TRUE(stats.firstDiffering);

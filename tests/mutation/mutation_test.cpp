@@ -10,6 +10,12 @@
 #include "scene/catalogue/catalogue.hpp"
 
 namespace rasterdiff {
+namespace rasterizer {
+
+void PrintTo(const DeliberateErrorInfo& mutant, std::ostream* out) { *out << mutant.name; }
+
+}  // namespace rasterizer
+
 namespace {
 
 using harness::Verdict;

@@ -76,8 +76,8 @@ TEST(ThreeValuedPlane, TiesAreFreeAndNothingElseIsWhereVerticesLieOnTheGrid) {
 TEST(ThreeValuedPlane, SampleCoveredByAnyPrimitiveForSureIsIn) {
   // The diagonal is free for each triangle, but the third one covers it for sure.
   const Scene scene = testing::sceneOf({{1.5, 1.5}, {5.5, 5.5}, {1.5, 5.5}, {0, 0}, {8, 0}, {8, 8}, {0, 0}, {20, 0}, {0, 20}}, 8);
-  const Frame frame = *render(scene, openRules());
-  for (const Coverage coverage : frame.coverage->data) EXPECT_EQ(coverage, Coverage::In);
+  const Plane<Coverage> plane = render(scene, openRules())->coverage.value();
+  for (const Coverage coverage : plane.data) EXPECT_EQ(coverage, Coverage::In);
 }
 
 TEST(ThreeValuedPlane, ScissorIsCertain) {
@@ -90,8 +90,8 @@ TEST(ThreeValuedPlane, ScissorIsCertain) {
 TEST(ThreeValuedPlane, CulledWhateverTheSnapIsOut) {
   Scene scene = testing::sceneOf({{1.1, 1.2}, {6.3, 1.4}, {1.5, 6.6}}, 8);
   scene.state.cullMode = CullMode::BACK;
-  const Frame frame = *render(scene, openRules());
-  for (const Coverage coverage : frame.coverage->data) EXPECT_EQ(coverage, Coverage::Out);
+  const Plane<Coverage> plane = render(scene, openRules())->coverage.value();
+  for (const Coverage coverage : plane.data) EXPECT_EQ(coverage, Coverage::Out);
 }
 
 // The nominal outcome of every profile, and every mutant that stays within the law, is one of the free outcomes.

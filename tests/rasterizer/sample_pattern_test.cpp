@@ -36,7 +36,7 @@ TEST(SamplePattern, MutantMovesTheFirstSampleByASixteenth) {
 PixelArea areaWith(const Rect2D& scissor, DeliberateError error = DeliberateError::None) {
   Scene scene = testing::sceneOf({{0, 0}, {8, 0}, {0, 8}}, 8);
   scene.scissor = scissor;
-  return targetArea(scene, error);
+  return targetArea(scene, 0, error);
 }
 
 void expectArea(const PixelArea& area, int32_t left, int32_t top, int32_t right, int32_t bottom) {
@@ -47,7 +47,7 @@ void expectArea(const PixelArea& area, int32_t left, int32_t top, int32_t right,
 }
 
 TEST(TargetArea, IsTheTargetCutByTheScissor) {
-  expectArea(targetArea(testing::sceneOf({{0, 0}, {8, 0}, {0, 8}}, 8)), 0, 0, 8, 8);
+  expectArea(targetArea(testing::sceneOf({{0, 0}, {8, 0}, {0, 8}}, 8), 0), 0, 0, 8, 8);
   expectArea(areaWith({2, 3, 4, 1}), 2, 3, 6, 4);
   expectArea(areaWith({2, 3, 400, 100}), 2, 3, 8, 8);
   expectArea(areaWith({0x7ffffff0, 0, 15, 8}), 0x7ffffff0, 0, 8, 8);

@@ -34,6 +34,10 @@ bool identical(Scene a, Scene b) {
       a.draws[d].varyings[v].values = b.draws[d].varyings[v].values = {};
     }
     a.draws[d].positions = b.draws[d].positions = {};
+    if (!sameBits(a.draws[d].clipDistances, b.draws[d].clipDistances)) return false;
+    if (!sameBits(a.draws[d].cullDistances, b.draws[d].cullDistances)) return false;
+    a.draws[d].clipDistances = b.draws[d].clipDistances = {};
+    a.draws[d].cullDistances = b.draws[d].cullDistances = {};
   }
   return a == b;
 }
@@ -55,6 +59,37 @@ E pick(std::initializer_list<E> values) {
   return *rc::gen::elementOf(std::vector<E>(values));
 }
 
+/// Everything but varyings and draws: polygon, line, point, depth and sample state, viewports and built-ins.
+void drawState(Scene& scene) {
+  State& state = scene.state;
+  const bool triangles = state.topology >= PrimitiveTopology::TRIANGLE_LIST;
+  state.primitiveRestartEnable = *rc::gen::arbitrary<bool>();
+  if (triangles) state.polygonMode = pick({PolygonMode::FILL, PolygonMode::LINE, PolygonMode::POINT});
+  state.depthClampEnable = *rc::gen::arbitrary<bool>();
+  if (*rc::gen::arbitrary<bool>()) state.depthClipEnable = *rc::gen::arbitrary<bool>();
+  state.depthBiasEnable = *rc::gen::arbitrary<bool>();
+  state.depthBiasConstantFactor = pick({0.0f, 0.1f, -17.0f});
+  state.depthBiasClamp = pick({0.0f, 0.25f, -1e-45f});
+  state.depthBiasSlopeFactor = pick({0.0f, 3.4e38f, -1.5f});
+  state.lineWidth = pick({1.0f, 0.1f, 255.0f});
+  state.lineRasterizationMode = static_cast<LineRasterizationMode>(*rc::gen::inRange(0u, 4u));
+  const bool lines = state.topology == PrimitiveTopology::LINE_LIST || state.topology == PrimitiveTopology::LINE_STRIP;
+  state.stippledLineEnable = (lines || state.polygonMode == PolygonMode::LINE) && *rc::gen::arbitrary<bool>();
+  scene.target.supersample = pick({1u, 2u, 32u});
+  state.lineStippleFactor = *rc::gen::inRange(1u, state.stippledLineEnable ? 9u : 257u);
+  state.lineStipplePattern = *rc::gen::arbitrary<uint16_t>();
+  state.pointSize = pick({1.0f, 0.3f, 64.0f});
+  state.sampleMask = *rc::gen::arbitrary<uint32_t>();
+  state.sampleShadingEnable = *rc::gen::arbitrary<bool>();
+  state.minSampleShading = pick({0.0f, 0.1f, 1.0f});
+  if (*rc::gen::arbitrary<bool>()) {
+    scene.furtherViewports = {{{-0.5f, 0, 8.1f, -8, 1, 0}, std::nullopt}, {{1, 2, 3, 4, 0, 0.1f}, Rect2D{1, 2, 3, 4}}};
+  }
+  if (*rc::gen::arbitrary<bool>()) scene.builtIns = {BuiltIn::SampleMask, BuiltIn::FragCoord, BuiltIn::FrontFacing};
+  const bool points = state.topology == PrimitiveTopology::POINT_LIST || state.polygonMode == PolygonMode::POINT;
+  if (points) scene.builtIns.push_back(BuiltIn::PointCoord);
+}
+
 Scene anyScene() {
   Scene scene;
   scene.name = pick<std::string>({"", "a", "fill/x-1", "quote\"d", "\xc3\xa4/b.c"});
@@ -63,7 +98,8 @@ Scene anyScene() {
   scene.target.height = *rc::gen::inRange(1u, 100u);
   scene.target.samples = pick({1u, 2u, 4u, 8u, 16u});
   if (*rc::gen::arbitrary<bool>()) {
-    scene.target.depthFormat = DepthFormat::D32_SFLOAT;
+    scene.target.depthFormat = pick({DepthFormat::D16_UNORM, DepthFormat::X8_D24_UNORM_PACK32, DepthFormat::D32_SFLOAT,
+                                     DepthFormat::D24_UNORM_S8_UINT, DepthFormat::D32_SFLOAT_S8_UINT});
     scene.target.depthClearValue = pick({0.0f, -0.0f, 0.1f, 1.0f, 1e-45f});
     scene.state.depthTestEnable = *rc::gen::arbitrary<bool>();
     scene.state.depthWriteEnable = *rc::gen::arbitrary<bool>();
@@ -71,9 +107,10 @@ Scene anyScene() {
   scene.viewport = {
       pick({0.0f, -0.0f, 0.1f, -3.5f}), pick({0.0f, 1.0f / 512}), pick({64.0f, 0.3f}), pick({64.0f, -7.7f}),
       pick({0.0f, 0.1f, 1.0f}),         pick({0.0f, 0.7f, 1.0f})};
-  if (*rc::gen::arbitrary<bool>()) scene.scissor = Rect2D{3, 0, 5, 0x7fffffff};
+  if (*rc::gen::arbitrary<bool>()) scene.scissor = Rect2D{3, 0, 5, 0xffffff};
   using enum PrimitiveTopology;
-  scene.state.topology = pick({TRIANGLE_LIST, TRIANGLE_STRIP, TRIANGLE_FAN});
+  scene.state.topology = pick({POINT_LIST, LINE_LIST, LINE_STRIP, TRIANGLE_LIST, TRIANGLE_STRIP, TRIANGLE_FAN});
+  drawState(scene);
   scene.state.cullMode = pick({CullMode::NONE, CullMode::FRONT, CullMode::BACK, CullMode::FRONT_AND_BACK});
   scene.state.frontFace = pick({FrontFace::CLOCKWISE, FrontFace::COUNTER_CLOCKWISE});
   scene.state.provokingVertexMode = pick({ProvokingVertexMode::FIRST_VERTEX, ProvokingVertexMode::LAST_VERTEX});
@@ -83,9 +120,17 @@ Scene anyScene() {
   std::vector<Varying> kinds;
   for (uint32_t v = 0; v < varyings; ++v) {
     kinds.push_back({.name = fmt::format("v{}", v),
-                     .interpolation = static_cast<Interpolation>(*rc::gen::inRange(0u, 3u)),
+                     .interpolation = static_cast<Interpolation>(*rc::gen::inRange(0u, 6u)),
                      .components = *rc::gen::inRange(1u, 5u)});
+    if (kinds.back().interpolation == Interpolation::offset) {
+      kinds.back().offsetX = pick({-0.5f, -0.0f, 0.1f});
+      kinds.back().offsetY = pick({0.0f, 0.4375f, 1e-45f});
+    }
   }
+  scene.target.resolve = varyings > 0 && scene.target.samples > 1 && *rc::gen::arbitrary<bool>();
+  scene.state.alphaToCoverageEnable =
+      varyings > 0 && kinds[0].components == 4 && scene.target.samples > 1 && *rc::gen::arbitrary<bool>();
+  const auto clipDistances = *rc::gen::inRange<uint32_t>(0, 5), cullDistances = *rc::gen::inRange<uint32_t>(0, 5);
   const auto draws = *rc::gen::inRange<uint32_t>(1, 4);
   for (uint32_t d = 0; d < draws; ++d) {
     Draw& draw = scene.draws.emplace_back();
@@ -99,6 +144,15 @@ Scene anyScene() {
     if (*rc::gen::arbitrary<bool>()) {
       draw.indices = *rc::gen::container<std::vector<uint32_t>>(rc::gen::inRange(0u, static_cast<uint32_t>(vertices)));
     }
+    if (*rc::gen::arbitrary<bool>()) {
+      for (size_t i = 0; i < vertices; ++i) draw.pointSizes.push_back(pick({1.0f, 0.1f, 1e-45f, 3.4e38f}));
+    }
+    draw.clipDistanceCount = clipDistances;
+    draw.clipDistances = floats(vertices * clipDistances);
+    draw.cullDistanceCount = cullDistances;
+    draw.cullDistances = floats(vertices * cullDistances);
+    draw.viewportIndex = *rc::gen::inRange<uint32_t>(0, 1 + static_cast<uint32_t>(scene.furtherViewports.size()));
+    if (draw.indices && scene.state.primitiveRestartEnable) draw.indices->push_back(kRestartIndex);
     draw.varyings = kinds;
     for (Varying& varying : draw.varyings) varying.values = floats(vertices * varying.components);
   }

@@ -97,6 +97,134 @@ TEST(Validate, EachMistakeIsRefusedAtItsField) {
          s.draws.push_back(s.draws[0]);
          s.draws[1].varyings[0].interpolation = Interpolation::flat;
        }},
+      {"target.supersample", [](Scene& s) { s.target.supersample = 0; }},
+      {"target.supersample", [](Scene& s) { s.target.supersample = 33; }},
+      {"target.width",
+       [](Scene& s) {
+         s.target.width = 1024;
+         s.target.supersample = 17;
+       }},
+      {"viewport.width",
+       [](Scene& s) {
+         s.viewport.width = 10000;
+         s.target.supersample = 2;
+       }},
+      {"target.resolve", [](Scene& s) { s.target.resolve = true; }},
+      {"target.resolve",
+       [](Scene& s) {
+         s.target.resolve = true;
+         s.target.samples = 4;
+         s.draws[0].varyings.clear();
+       }},
+      {"target.depthFormat", [](Scene& s) { s.target.depthFormat = static_cast<DepthFormat>(127); }},
+      {"furtherViewports", [](Scene& s) { s.furtherViewports.resize(16); }},
+      {"furtherViewports[0].viewport.width", [](Scene& s) { s.furtherViewports.resize(1); }},
+      {"furtherViewports[0].scissor.height",
+       [](Scene& s) {
+         s.furtherViewports = {{{0, 0, 8, 8, 0, 1}, Rect2D{0, 0, 1, 0}}};
+       }},
+      {"state.polygonMode", [](Scene& s) { s.state.polygonMode = static_cast<PolygonMode>(3); }},
+      {"state.polygonMode",
+       [](Scene& s) {
+         s.state.topology = PrimitiveTopology::LINE_LIST;
+         s.state.polygonMode = PolygonMode::POINT;
+       }},
+      {"state.lineRasterizationMode",
+       [](Scene& s) { s.state.lineRasterizationMode = static_cast<LineRasterizationMode>(4); }},
+      {"state.lineWidth", [](Scene& s) { s.state.lineWidth = 0; }},
+      {"state.lineWidth", [=](Scene& s) { s.state.lineWidth = kInf; }},
+      {"state.pointSize", [](Scene& s) { s.state.pointSize = -1; }},
+      {"state.pointSize", [=](Scene& s) { s.state.pointSize = kNan; }},
+      {"state.lineStippleFactor", [](Scene& s) { s.state.lineStippleFactor = 0; }},
+      {"state.lineStippleFactor", [](Scene& s) { s.state.lineStippleFactor = 257; }},
+      {"state.lineStippleFactor",
+       [](Scene& s) {
+         s.state.topology = PrimitiveTopology::LINE_LIST;
+         s.state.stippledLineEnable = true;
+         s.state.lineStippleFactor = 129;
+         s.target.supersample = 2;
+       }},
+      {"state.stippledLineEnable", [](Scene& s) { s.state.stippledLineEnable = true; }},
+      {"state.depthBiasConstantFactor", [=](Scene& s) { s.state.depthBiasConstantFactor = kInf; }},
+      {"state.depthBiasClamp", [=](Scene& s) { s.state.depthBiasClamp = kNan; }},
+      {"state.depthBiasSlopeFactor", [=](Scene& s) { s.state.depthBiasSlopeFactor = -kInf; }},
+      {"state.minSampleShading", [](Scene& s) { s.state.minSampleShading = 1.25f; }},
+      {"state.minSampleShading", [=](Scene& s) { s.state.minSampleShading = kNan; }},
+      {"state.alphaToCoverageEnable", [](Scene& s) { s.state.alphaToCoverageEnable = true; }},
+      {"state.alphaToCoverageEnable",
+       [](Scene& s) {
+         s.state.alphaToCoverageEnable = true;
+         s.target.samples = 4;
+       }},
+      {"builtIns[1]", [](Scene& s) { s.builtIns = {BuiltIn::FragCoord, BuiltIn::FragCoord}; }},
+      {"builtIns[0]", [](Scene& s) { s.builtIns = {BuiltIn::PointCoord}; }},
+      {"builtIns[0]", [](Scene& s) { s.builtIns = {static_cast<BuiltIn>(6)}; }},
+      {"draws[0].varyings[0].name",
+       [](Scene& s) {
+         s.builtIns = {BuiltIn::FragCoord};
+         s.draws[0].varyings[0].name = "FragCoord";
+       }},
+      {"draws[0].varyings[0].interpolation",
+       [](Scene& s) { s.draws[0].varyings[0].interpolation = static_cast<Interpolation>(6); }},
+      {"draws[0].varyings[0].offset", [](Scene& s) { s.draws[0].varyings[0].offsetX = 0.25f; }},
+      {"draws[0].varyings[0].offset",
+       [=](Scene& s) {
+         s.draws[0].varyings[0].interpolation = Interpolation::offset;
+         s.draws[0].varyings[0].offsetY = kNan;
+       }},
+      {"draws[0].varyings[0].offset",
+       [](Scene& s) {
+         s.draws[0].varyings[0].interpolation = Interpolation::offset;
+         s.draws[0].varyings[0].offsetY = 0.5f;
+       }},
+      {"draws[1].varyings[0].offset",
+       [](Scene& s) {
+         s.draws[0].varyings[0].interpolation = Interpolation::offset;
+         s.draws.push_back(s.draws[0]);
+         s.draws[1].varyings[0].offsetX = 0.25f;
+       }},
+      {"draws[0].indices[1]",
+       [](Scene& s) {
+         s.draws[0].indices = {0, kRestartIndex};
+       }},
+      {"draws[0].indices[1]",
+       [](Scene& s) {
+         s.state.primitiveRestartEnable = true;
+         s.draws[0].indices = {0, kRestartIndex - 1};
+       }},
+      {"draws[0].viewportIndex", [](Scene& s) { s.draws[0].viewportIndex = 1; }},
+      {"draws[0].pointSizes", [](Scene& s) { s.draws[0].pointSizes = {1}; }},
+      {"draws[0].pointSizes[2]", [](Scene& s) { s.draws[0].pointSizes = {1, 2, 0}; }},
+      {"draws[0].clipDistances", [](Scene& s) { s.draws[0].clipDistanceCount = 1; }},
+      {"draws[0].clipDistances", [](Scene& s) { s.draws[0].clipDistances = {1, 2, 3}; }},
+      {"draws[0].clipDistances[1][0]",
+       [=](Scene& s) {
+         s.draws[0].clipDistanceCount = 1;
+         s.draws[0].clipDistances = {1, kNan, 3};
+       }},
+      {"draws[0].cullDistances",
+       [](Scene& s) {
+         s.draws[0].cullDistanceCount = 9;
+         s.draws[0].cullDistances.resize(27);
+       }},
+      {"draws[0].cullDistances",
+       [](Scene& s) {
+         s.draws[0].clipDistanceCount = 5;
+         s.draws[0].clipDistances.resize(15);
+         s.draws[0].cullDistanceCount = 4;
+         s.draws[0].cullDistances.resize(12);
+       }},
+      {"draws[1].cullDistances",
+       [](Scene& s) {
+         s.draws.push_back(s.draws[0]);
+         s.draws[1].cullDistanceCount = 1;
+         s.draws[1].cullDistances.resize(3);
+       }},
+      {"target",
+       [](Scene& s) {
+         s.target = {.width = 16384, .height = 16384, .samples = 1};
+         s.builtIns = {BuiltIn::FragCoord};
+       }},
       {"target",
        [](Scene& s) {
          s.target = {.width = 16384, .height = 16384, .samples = 4, .depthFormat = DepthFormat::D32_SFLOAT};
@@ -127,6 +255,11 @@ TEST(Validate, LegalOddThingsPass) {
   scene.scissor = {100, 100, 1, 1};
   scene.draws[0].indices.emplace();
   EXPECT_TRUE(validate(scene).has_value());
+  scene.state.primitiveRestartEnable = true;
+  scene.draws[0].indices = {kRestartIndex, 0, kRestartIndex};
+  scene.state.topology = PrimitiveTopology::LINE_STRIP;
+  scene.state.cullMode = CullMode::FRONT_AND_BACK;
+  EXPECT_TRUE(validate(scene).has_value());
 }
 
 TEST(PrimitiveCount, OnlyWholePrimitivesCount) {
@@ -138,6 +271,28 @@ TEST(PrimitiveCount, OnlyWholePrimitivesCount) {
   EXPECT_EQ(primitiveCount(TRIANGLE_STRIP, 5), 3u);
   EXPECT_EQ(primitiveCount(TRIANGLE_FAN, 1), 0u);
   EXPECT_EQ(primitiveCount(TRIANGLE_FAN, 3), 1u);
+}
+
+TEST(PrimitiveCount, PointsAndLinesCountToo) {
+  using enum PrimitiveTopology;
+  EXPECT_EQ(primitiveCount(POINT_LIST, 5), 5u);
+  EXPECT_EQ(primitiveCount(LINE_LIST, 5), 2u);
+  EXPECT_EQ(primitiveCount(LINE_STRIP, 0), 0u);
+  EXPECT_EQ(primitiveCount(LINE_STRIP, 1), 0u);
+  EXPECT_EQ(primitiveCount(LINE_STRIP, 5), 4u);
+}
+
+TEST(PrimitiveCount, ARestartEndsAPrimitive) {
+  State state;
+  state.topology = PrimitiveTopology::TRIANGLE_STRIP;
+  state.primitiveRestartEnable = true;
+  Draw draw;
+  draw.positions.resize(8);
+  EXPECT_EQ(primitiveCount(state, draw), 6u) << "not indexed: nothing restarts";
+  draw.indices = {0, 1, 2, 3, kRestartIndex, 4, 5, kRestartIndex, kRestartIndex, 5, 6, 7};
+  EXPECT_EQ(primitiveCount(state, draw), 3u);
+  state.topology = PrimitiveTopology::TRIANGLE_LIST;
+  EXPECT_EQ(primitiveCount(state, draw), 2u);
 }
 
 TEST(VertexCount, IndicesCountWhereThereAreAny) {
@@ -167,6 +322,32 @@ TEST(NeedsOf, EachNeedFollowsFromTheScene) {
   scene.draws[0].positions[0].w = 2;
   EXPECT_TRUE(needsOf(scene).perspective);
   EXPECT_FALSE(needsOf(scene).clipping);
+}
+
+TEST(NeedsOf, BuiltInsAndResolveArePlanesOfTheirOwn) {
+  Scene scene = valid();
+  scene.builtIns = {BuiltIn::FragCoord, BuiltIn::SampleMask};
+  scene.target.resolve = true;
+  EXPECT_EQ(needsOf(scene).varyings, 1u);
+  EXPECT_EQ(needsOf(scene).builtIns, 2u);
+  EXPECT_TRUE(needsOf(scene).resolve);
+  EXPECT_FALSE(needsOf(valid()).resolve);
+}
+
+TEST(NeedsOf, NegativeClipDistancesClipAndDepthsDoNotWithoutDepthClip) {
+  Scene scene = valid();
+  scene.draws[0].clipDistanceCount = 1;
+  scene.draws[0].clipDistances = {0, -0.0f, 1};
+  EXPECT_FALSE(needsOf(scene).clipping);
+  scene.draws[0].clipDistances = {0, -1e-30f, 1};
+  EXPECT_TRUE(needsOf(scene).clipping);
+  scene = valid();
+  scene.draws[0].positions[0].z = 2;
+  EXPECT_TRUE(needsOf(scene).clipping);
+  scene.state.depthClampEnable = true;
+  EXPECT_FALSE(needsOf(scene).clipping);
+  scene.state.depthClipEnable = true;
+  EXPECT_TRUE(needsOf(scene).clipping);
 }
 
 TEST(NeedsOf, ClippingIsAboutTheSixPlanesAndTheirBoundaryIsInside) {

@@ -76,6 +76,12 @@ TEST_F(SchemaTest, WhatTheLoaderAcceptsConforms) {
       withDraw(R"({"space": "pixels", "positions": [[1, 2], [1, 2, 0.5], [1, 2, 0.5, 1]], "indices": [0, 1, 2]})"),
       withDraw(R"({"space": "world", "positions": [[1, 2, "0x.8p0"]]})"),
       withDraw(
+          R"({"positions": [[0, 0, 0, 1], [0, 0, 0, 1]], "pointSizes": [1, "0x1p-1"], "clipDistances": [[1, 0], [-1, 2]], "cullDistances": [1, 0], "varyings": [{"name": "a", "interpolation": "offset", "offset": [-0.5, "0x1p-4"], "values": [1, 2]}]})"),
+      scene(
+          R"("furtherViewports": [{"viewport": {"width": 8, "height": -8}, "scissor": {"width": 1, "height": 1}}], "builtIns": ["FragCoord", "SampleMask"])"),
+      scene(
+          R"("state": {"topology": "LINE_STRIP", "primitiveRestartEnable": true, "lineWidth": 2.5, "lineRasterizationMode": "BRESENHAM", "stippledLineEnable": true, "lineStippleFactor": 256, "lineStipplePattern": 3855, "depthClipEnable": false, "sampleMask": 4294967295})"),
+      withDraw(
           R"({"positions": [[1, 2, 3, 4]], "varyings": [{"name": "a-b_C", "values": [[1, 2]]}, {"name": "b", "interpolation": "flat", "values": [3]}]})"),
   };
   for (const std::string& text : texts) {
@@ -98,9 +104,9 @@ TEST_F(SchemaTest, WhatItRefusesTheLoaderRefusesToo) {
       scene("", R"("target": {"width": 8.5, "height": 8})"),
       scene("", R"("target": {"width": 20000, "height": 8})"),
       scene("", R"("target": {"width": 8, "height": 8, "samples": 3})"),
-      scene("", R"("target": {"width": 8, "height": 8, "depthFormat": "D16_UNORM"})"),
+      scene("", R"("target": {"width": 8, "height": 8, "depthFormat": "S8_UINT"})"),
       scene("", R"("target": {"width": 8, "height": 8, "depthFormat": "D32_SFLOAT", "depthClearValue": 2})"),
-      scene("", R"("target": {"width": 8, "height": 8, "supersample": 2})"),
+      scene("", R"("target": {"width": 8, "height": 8, "supersample": 33})"),
       scene(R"("viewport": {"width": 8})"),
       scene(R"("viewport": {"width": 8, "height": 8, "minDepth": -1})"),
       scene(R"("viewport": {"width": "8", "height": 8})"),
@@ -108,7 +114,17 @@ TEST_F(SchemaTest, WhatItRefusesTheLoaderRefusesToo) {
       scene(R"("scissor": {"width": 0, "height": 8})"),
       scene(R"("state": {"cullMode": "none"})"),
       scene(R"("state": {"depthTestEnable": 1})"),
-      scene(R"("state": {"lineWidth": 1})"),
+      scene(R"("state": {"lineWidth": 0})"),
+      scene(R"("state": {"pointSize": -1})"),
+      scene(R"("state": {"lineStippleFactor": 257})"),
+      scene(R"("state": {"lineStipplePattern": 65536})"),
+      scene(R"("state": {"minSampleShading": 1.5})"),
+      scene(R"("state": {"sampleMask": -1})"),
+      scene(R"("state": {"blendEnable": true})"),
+      scene(R"("furtherViewports": [{}])"),
+      scene(R"("furtherViewports": [{"viewport": {"width": 8}}])"),
+      scene(R"("builtIns": ["FragDepth"])"),
+      scene(R"("builtIns": ["FragCoord", "FragCoord"])"),
       scene(R"("allowNonFinite": "yes")"),
       scene(R"("camera": {})"),
       scene(R"("camera": {"perspective": {"fovY": 60, "near": 1}})"),
@@ -133,13 +149,19 @@ TEST_F(SchemaTest, WhatItRefusesTheLoaderRefusesToo) {
       withDraw(R"({"positions": [[0, 0, 0, 1]], "indices": [-1]})"),
       withDraw(R"({"positions": [[0, 0, 0, 1]], "indices": [0.5]})"),
       withDraw(R"({"positions": [[0, 0, 0, 1]], "transform": []})"),
-      withDraw(R"({"positions": [[0, 0, 0, 1]], "pointSizes": [1]})"),
+      withDraw(R"({"positions": [[0, 0, 0, 1]], "pointSizes": [0]})"),
+      withDraw(R"({"positions": [[0, 0, 0, 1]], "pointSizes": []})"),
+      withDraw(R"({"positions": [[0, 0, 0, 1]], "clipDistances": [[1, 2, 3, 4, 5, 6, 7, 8, 9]]})"),
+      withDraw(R"({"positions": [[0, 0, 0, 1]], "cullDistances": [[]]})"),
+      withDraw(R"({"positions": [[0, 0, 0, 1]], "viewportIndex": 16})"),
+      withDraw(
+          R"({"positions": [[0, 0, 0, 1]], "varyings": [{"name": "a", "interpolation": "offset", "offset": [0.5, 0], "values": [1]}]})"),
       withDraw(R"({"positions": [[0, 0, 0, 1]], "varyings": [{"values": [1]}]})"),
       withDraw(R"({"positions": [[0, 0, 0, 1]], "varyings": [{"name": "a"}]})"),
       withDraw(R"({"positions": [[0, 0, 0, 1]], "varyings": [{"name": "a/b", "values": [1]}]})"),
       withDraw(R"({"positions": [[0, 0, 0, 1]], "varyings": [{"name": "a", "values": [[1, 2, 3, 4, 5]]}]})"),
       withDraw(
-          R"({"positions": [[0, 0, 0, 1]], "varyings": [{"name": "a", "interpolation": "centroid", "values": [1]}]})"),
+          R"({"positions": [[0, 0, 0, 1]], "varyings": [{"name": "a", "interpolation": "center", "values": [1]}]})"),
       withDraw(R"({"mesh": 3})"),
       withDraw(R"({"mesh": "a.obj", "transform": [1]})"),
       withDraw(R"({"mesh": "a.obj", "indices": [1]})"),
@@ -160,6 +182,9 @@ void expectSameNames(const nlohmann::json& names) {
 TEST_F(SchemaTest, ItsEnumerantsAreTheLoaders) {
   const nlohmann::json& state = json_["properties"]["state"]["properties"];
   expectSameNames<PrimitiveTopology>(state["topology"]["enum"]);
+  expectSameNames<PolygonMode>(state["polygonMode"]["enum"]);
+  expectSameNames<LineRasterizationMode>(state["lineRasterizationMode"]["enum"]);
+  expectSameNames<BuiltIn>(json_["properties"]["builtIns"]["items"]["enum"]);
   expectSameNames<CullMode>(state["cullMode"]["enum"]);
   expectSameNames<FrontFace>(state["frontFace"]["enum"]);
   expectSameNames<ProvokingVertexMode>(state["provokingVertexMode"]["enum"]);

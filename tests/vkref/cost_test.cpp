@@ -44,6 +44,9 @@ TEST_P(DriverCost, StateThatIsDynamicMakesNoPipeline) {
   scene.state.frontFace = FrontFace::CLOCKWISE;
   scene.state.depthTestEnable = true;
   scene.state.depthCompareOp = CompareOp::ALWAYS;
+  scene.state.depthBiasEnable = true;
+  scene.state.depthBiasConstantFactor = 1;
+  scene.state.primitiveRestartEnable = true;
   scene.viewport = {1, 2, 3, 4, 0.5F, 0.25F};
   scene.target.width = 16;
   draw(scene);
@@ -52,6 +55,27 @@ TEST_P(DriverCost, StateThatIsDynamicMakesNoPipeline) {
   scene.state.negativeOneToOne = true;
   draw(scene);
   EXPECT_EQ(device().lastCost().pipelinesCreated, 1U);
+}
+
+TEST_P(DriverCost, StateThatASceneDoesNotUseMakesNoPipeline) {
+  Scene scene = sceneOf(wholeTarget());
+  draw(scene);
+  scene.state.lineRasterizationMode = LineRasterizationMode::BRESENHAM;  // but no lines are drawn
+  scene.state.pointSize = 7;
+  scene.state.depthClipEnable = true;        // as it would be
+  scene.state.sampleMask = 0xF0F0F0F1;       // of one sample
+  scene.state.minSampleShading = 1;          // but no sample shading
+  draw(scene);
+  EXPECT_EQ(device().lastCost().pipelinesCreated, 0U);
+}
+
+TEST_P(DriverCost, EachBuiltInAddsAPassWithItsOwnBytes) {
+  Scene scene = sceneOf(wholeTarget(32, 16), 32, 16, 4);
+  scene.builtIns = {BuiltIn::SampleMask, BuiltIn::FragCoord};
+  draw(scene);
+  EXPECT_EQ(device().lastCost().passes, 3U);
+  EXPECT_EQ(device().lastCost().colorAttachments, 4U);
+  EXPECT_EQ(device().lastCost().attachmentBytes, 32U * 16 * 4 * (8 + 4 + 16));
 }
 
 TEST_P(DriverCost, ManyScenesOfManySizesLeaveNoTraceInTheNext) {

@@ -1,0 +1,69 @@
+#include "rasterizer/fragment/value_freedoms.hpp"
+
+#include "rasterizer/fragment/sample_shading.hpp"
+
+namespace rasterdiff::rasterizer {
+namespace {
+
+Freedom ofDepth(const State& state) {
+  if (state.depthBiasEnable) return Freedom::DepthBias;
+  const bool clips = state.depthClipEnable.value_or(!state.depthClampEnable);
+  return !clips && !state.depthClampEnable ? Freedom::UndefinedDepth : Freedom::None;
+}
+
+bool linesMayFollowTheMajorAxis(const State& state, const Limits& limits) {
+  const bool lines = state.topology == PrimitiveTopology::LINE_LIST || state.topology == PrimitiveTopology::LINE_STRIP ||
+                     state.polygonMode == PolygonMode::LINE;
+  if (state.lineRasterizationMode == LineRasterizationMode::BRESENHAM) return lines && state.lineWidth >= 1.5F;
+  return lines && state.lineRasterizationMode == LineRasterizationMode::DEFAULT && !limits.strictLines;
+}
+
+Freedom ofVarying(Interpolation interpolation, bool multisampled, bool byMajorAxis) {
+  switch (interpolation) {
+    case Interpolation::smooth:
+    case Interpolation::noperspective:
+      if (multisampled) return Freedom::AttributePosition;
+      break;
+    case Interpolation::centroid:
+      if (multisampled) return Freedom::CentroidPosition;
+      break;
+    case Interpolation::offset: return Freedom::OffsetRounding;
+    case Interpolation::sample: break;
+    case Interpolation::flat: return Freedom::None;
+  }
+  return byMajorAxis ? Freedom::LineInterpolation : Freedom::None;
+}
+
+Freedom ofBuiltIn(BuiltIn builtIn, const SampleShading& shading, bool multisampled) {
+  switch (builtIn) {
+    case BuiltIn::FragCoord:
+      if (!shading.certain) return Freedom::SampleShadingRate;
+      return multisampled ? Freedom::AttributePosition : Freedom::None;
+    case BuiltIn::PointCoord: return multisampled ? Freedom::AttributePosition : Freedom::None;
+    case BuiltIn::FrontFacing: return Freedom::NearZeroArea;
+    case BuiltIn::SampleMask: return shading.certain ? Freedom::SnapRounding : Freedom::SampleShadingRate;
+    case BuiltIn::SampleId:
+    case BuiltIn::SamplePosition: return Freedom::None;
+  }
+  return Freedom::None;
+}
+
+}  // namespace
+
+std::vector<Freedom> valueFreedoms(const Scene& scene, const Rules& rules) {
+  const bool multisampled = scene.target.samples > 1;
+  const auto ifOpen = [&rules](Freedom freedom) { return rules.open ? freedom : Freedom::None; };
+  std::vector<Freedom> freedoms;
+  if (scene.target.depthFormat) freedoms.push_back(ifOpen(ofDepth(scene.state)));
+  const size_t varyings = scene.draws.empty() ? 0 : scene.draws[0].varyings.size();
+  const bool byMajorAxis = linesMayFollowTheMajorAxis(scene.state, rules.limits);
+  for (size_t v = 0; v < varyings; ++v) {
+    freedoms.push_back(ifOpen(ofVarying(scene.draws[0].varyings[v].interpolation, multisampled, byMajorAxis)));
+  }
+  const SampleShading shading = sampleShading(scene);
+  for (const BuiltIn builtIn : scene.builtIns) freedoms.push_back(ifOpen(ofBuiltIn(builtIn, shading, multisampled)));
+  for (size_t v = 0; scene.target.resolve && v < varyings; ++v) freedoms.push_back(Freedom::ResolveRounding);
+  return freedoms;
+}
+
+}  // namespace rasterdiff::rasterizer
