@@ -5,7 +5,6 @@
 
 #include "rasterizer/lines/line_shape.hpp"
 #include "rasterizer/lines/stipple.hpp"
-#include "rasterizer/points/square_point.hpp"
 
 namespace rasterdiff::rasterizer {
 namespace {
@@ -46,9 +45,9 @@ FigureMaker::FigureMaker(const Scene& scene, const Rules& rules, const Draw& dra
                          const ClipVolume& volume, PixelArea area, RuleCounts& counts)
     : scene_(scene), rules_(rules), draw_(draw), stage_(stage), volume_(volume), area_(area), counts_(counts) {}
 
-float FigureMaker::pointSize(uint32_t vertex) const {
-  if (rules_.error == DeliberateError::PointSizeIgnored) return 1;
-  return quantisedPointSize(draw_.pointSizes.empty() ? scene_.state.pointSize : draw_.pointSizes[vertex], rules_.limits);
+PointSize FigureMaker::pointSizeOf(uint32_t vertex) const {
+  if (rules_.error == DeliberateError::PointSizeIgnored) return {};
+  return pointSize(draw_.pointSizes.empty() ? scene_.state.pointSize : draw_.pointSizes[vertex], rules_.limits);
 }
 
 bool FigureMaker::pointSurvives(const ClipInput& vertex) {
@@ -59,7 +58,7 @@ bool FigureMaker::pointSurvives(const ClipInput& vertex) {
   return onlyUserPlanes && (code & ~kVolumeMask) == 0 && vertex.position.w > 0;
 }
 
-void FigureMaker::addPoint(Primitive& primitive, const ClipPosition& position, RasterVertex vertex, float size) {
+void FigureMaker::addPoint(Primitive& primitive, const ClipPosition& position, RasterVertex vertex, const PointSize& size) {
   if (rules_.error == DeliberateError::PointRounded) {
     const auto centre = [](int32_t v) { return (v >> kSubpixelBits) * kSubpixelOne + kSubpixelOne / 2; };
     vertex.snapped = {centre(vertex.snapped.x), centre(vertex.snapped.y)};
@@ -68,7 +67,7 @@ void FigureMaker::addPoint(Primitive& primitive, const ClipPosition& position, R
   Figure figure;
   figure.kind = Figure::Kind::Point;
   figure.a = vertex;
-  figure.size = size;
+  figure.size = size.nominal;
   figure.shape = makePointShape(position, vertex, size, stage_);
   primitive.figures.push_back(std::move(figure));
 }
@@ -76,11 +75,11 @@ void FigureMaker::addPoint(Primitive& primitive, const ClipPosition& position, R
 void FigureMaker::makePoint(Primitive& primitive, const ClipInput& vertex) {
   if (!pointSurvives(vertex)) return;
   if (vertex.position.w <= 0) return;
-  const float size = pointSize(primitive.assembled.vertices[0]);
+  const PointSize size = pointSizeOf(primitive.assembled.vertices[0]);
   const RasterVertex raster = stage_.original(vertex.position);
   if (rules_.error == DeliberateError::PointClippedByExtent) {
     const Viewport& v = scene_.viewport;
-    const double half = size / 2, low = std::min(v.y, v.y + v.height), high = std::max(v.y, v.y + v.height);
+    const double half = size.nominal / 2, low = std::min(v.y, v.y + v.height), high = std::max(v.y, v.y + v.height);
     if (raster.position.x - half < v.x || raster.position.x + half > double{v.x} + v.width ||
         raster.position.y - half < low || raster.position.y + half > high) {
       return;
@@ -158,7 +157,7 @@ void FigureMaker::makeOutline(Primitive& primitive, const ClipPolygon& polygon) 
       if (a.made) continue;
       const ClipPosition position = rounded(polygon.vertices[i]);
       const auto corner = static_cast<size_t>(std::max_element(a.smoothWeights.begin(), a.smoothWeights.end()) - a.smoothWeights.begin());
-      addPoint(primitive, position, a, pointSize(primitive.assembled.vertices[corner]));
+      addPoint(primitive, position, a, pointSizeOf(primitive.assembled.vertices[corner]));
       continue;
     }
     const RasterVertex& b = primitive.polygon[(i + 1) % n];

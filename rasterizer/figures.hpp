@@ -4,6 +4,7 @@
 
 #include "rasterizer/geometry.hpp"
 #include "rasterizer/lines/line_style.hpp"
+#include "rasterizer/points/square_point.hpp"
 #include "rasterizer/vertex_stage.hpp"
 
 namespace rasterdiff::rasterizer {
@@ -21,9 +22,9 @@ class FigureMaker {
 
  private:
   [[nodiscard]] bool pointSurvives(const ClipInput& vertex);
-  void addPoint(Primitive& primitive, const ClipPosition& position, RasterVertex vertex, float size);
+  void addPoint(Primitive& primitive, const ClipPosition& position, RasterVertex vertex, const PointSize& size);
   void addLine(Primitive& primitive, const LineEnds& ends, bool ofPolygon, bool optional);
-  [[nodiscard]] float pointSize(uint32_t vertex) const;
+  [[nodiscard]] PointSize pointSizeOf(uint32_t vertex) const;
   [[nodiscard]] LineStyle lineStyle() const;
 
   const Scene& scene_;

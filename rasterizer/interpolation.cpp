@@ -232,7 +232,7 @@ void PieceValues::setUpLine(const Figure& figure) {
   // [choice:line-interpolation] nominally by projection, except for parallelograms, whose ends are level.
   const bool parallelogram = kind == LineKind::Parallelogram;
   fill(planes_, figure.a, figure.b, parallelogram ? LineParameter::MajorAxis : LineParameter::Projection);
-  if (!rules_.open) return;
+  if (!rules_.openValues()) return;
   const bool wideBresenham = kind == LineKind::Bresenham && figure.size >= 1.5F;
   if (parallelogram || wideBresenham) {
     alternative_.emplace();

@@ -37,6 +37,7 @@ Result<Rules> Rules::profile(std::string_view name, const Limits& limits) {
     rules.choices.snapOrigin = SnapOrigin::CentreAtOneSample;
     rules.choices.clipArithmetic = ClipArithmetic::Float32Linear;
     rules.choices.pointArithmetic = PointArithmetic::SnappedCentre;
+    rules.choices.valuesOpen = true;
     rules.choices.lineArithmetic = LineArithmetic::Float32Corners;
     rules.choices.depthBiasUnit = DepthBiasUnit::TwoSteps;
     return rules;

@@ -79,6 +79,8 @@ struct Choices {
   LineArithmetic lineArithmetic = LineArithmetic::Exact;
   DiamondExit diamondExit = DiamondExit::Vulkan;
   DepthBiasUnit depthBiasUnit = DepthBiasUnit::OneStep;
+  /// The profile closes coverage only: where in the fragment a value is evaluated stays open, as in the specification.
+  bool valuesOpen = false;
   friend bool operator==(const Choices&, const Choices&) = default;
 };
 
@@ -88,6 +90,9 @@ struct Rules {
   Choices choices;
   bool open = false;  ///< specification rules: every choice is a freedom, `choices` gives the nominal outcome
   DeliberateError error = DeliberateError::None;
+
+  /// Are values judged against everything that the specification allows?
+  [[nodiscard]] bool openValues() const { return open || choices.valuesOpen; }
 
   /// What the Vulkan specification demands of a device with these limits; all choices open.
   [[nodiscard]] static Rules specification(const Limits& limits);

@@ -2,12 +2,13 @@
 // Writes what reached the fragment, once a fragment, so that the values land in all samples it covers.
 // PRIMITIVE_BUILTIN or PRIMITIVE_FROM_VERTEX: attachment 0 takes 1 + the primitive's number, attachment 1 takes 1
 // (blended by addition into a count), varyings follow; with neither, varyings alone.
-// Inputs are undecorated here: Flat and NoPerspective are put on them when a pipeline is made.
+// Inputs are undecorated here: interpolations are put on them when a pipeline is made. Outputs have four components even
+// where an attachment has one: smooth lines multiply alpha into them, and a driver may not look whether there is any.
 
 #if defined(PRIMITIVE_BUILTIN) || defined(PRIMITIVE_FROM_VERTEX)
 #define FIRST_VALUE 2
-layout(location = 0) out uint primitive;
-layout(location = 1) out float written;
+layout(location = 0) out uvec4 primitive;
+layout(location = 1) out vec4 written;
 #else
 #define FIRST_VALUE 0
 #endif
@@ -48,12 +49,12 @@ layout(location = FIRST_VALUE + 5) out vec4 out5;
 
 void main() {
 #ifdef PRIMITIVE_BUILTIN
-  primitive = draw.firstPrimitive + uint(gl_PrimitiveID) + 1u;
-  written = 1.0;
+  primitive = uvec4(draw.firstPrimitive + uint(gl_PrimitiveID) + 1u);
+  written = vec4(1.0);
 #endif
 #ifdef PRIMITIVE_FROM_VERTEX
-  primitive = primitiveNumber + 1u;
-  written = 1.0;
+  primitive = uvec4(primitiveNumber + 1u);
+  written = vec4(1.0);
 #endif
 #if VARYINGS > 0
   out0 = in0;

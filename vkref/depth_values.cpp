@@ -1,7 +1,6 @@
 // Conversions of stored depths; which transfer a plane came by is readback.cpp's business.
 #include "vkref/depth_values.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -32,13 +31,27 @@ std::vector<float> copiedDepths(VkFormat format, const std::byte* from, size_t c
   return depths;
 }
 
-void restoreFetchedDepths(VkFormat format, std::vector<float>& depths) {
+float fetchedDepth(DepthFetch fetch, uint32_t k, uint32_t bits) {
+  if (fetch == DepthFetch::Quotient) return unormDepth(k, bits);
+  return static_cast<float>(k) * static_cast<float>(1.0 / ((1U << bits) - 1));
+}
+
+void restoreFetchedDepths(VkFormat format, DepthFetch fetch, std::vector<float>& depths) {
   const uint32_t bits = unormDepthBits(format);
   if (bits == 0) return;
-  const double largest = (1U << bits) - 1;
+  const int64_t largest = (int64_t{1} << bits) - 1;
   for (float& depth : depths) {
-    const double k = std::clamp(std::round(static_cast<double>(depth) * largest), 0.0, largest);
-    depth = unormDepth(static_cast<uint32_t>(k), bits);
+    const int64_t near = std::llround(static_cast<double>(depth) * static_cast<double>(largest));
+    uint32_t best = 0;
+    float error = 2;
+    for (int64_t k = near - 2; k <= near + 2; ++k) {  // either arithmetic is off by less than two steps
+      if (k < 0 || k > largest) continue;
+      const float distance = std::abs(fetchedDepth(fetch, static_cast<uint32_t>(k), bits) - depth);
+      if (distance > error) continue;
+      best = static_cast<uint32_t>(k);
+      error = distance;
+    }
+    depth = unormDepth(best, bits);
   }
 }
 

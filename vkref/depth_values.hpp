@@ -15,8 +15,17 @@ namespace rasterdiff::vkref {
 /// Texels that were copied to a buffer: `count` of copiedBytes(format) each.
 [[nodiscard]] std::vector<float> copiedDepths(VkFormat format, const std::byte* from, size_t count);
 
-/// Floats that a shader fetched: behind each of a format of integers, the integer is found again and converted anew,
-/// since a fetch need not round as it should.
-void restoreFetchedDepths(VkFormat format, std::vector<float>& depths);
+/// The arithmetic of a fetch.
+enum class DepthFetch : uint8_t {
+  Quotient,    ///< unormDepth
+  Reciprocal,  ///< k × (1 / (2^bits - 1)), each rounded to float: the two largest 24-bit integers both give 1
+};
+
+/// What a shader fetches where the integer k is stored.
+[[nodiscard]] float fetchedDepth(DepthFetch fetch, uint32_t k, uint32_t bits);
+
+/// Floats that a shader fetched: behind each of a format of integers, the integer is found again and converted anew. Where
+/// two integers give the same float, the larger one is meant.
+void restoreFetchedDepths(VkFormat format, DepthFetch fetch, std::vector<float>& depths);
 
 }  // namespace rasterdiff::vkref

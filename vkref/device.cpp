@@ -61,6 +61,7 @@ Result<std::unique_ptr<Device>> openManifest(const std::string& manifest, const 
   Result<std::unique_ptr<Submission>> submission = Submission::create(made, options.timeoutSeconds);
   if (!submission) return tl::unexpected(submission.error());
   impl->submission = std::move(*submission);
+  impl->depthFetches = std::make_unique<DepthFetches>(made);
   impl->images = std::make_unique<Pool<Image>>(made, kIdleImageBytes);
   impl->buffers = std::make_unique<Pool<Buffer>>(made, kIdleBufferBytes);
   return std::make_unique<Device>(std::move(impl));

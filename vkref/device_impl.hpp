@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "vkref/attachments.hpp"
+#include "vkref/depth_fetch.hpp"
 #include "vkref/instance.hpp"
 #include "vkref/pipeline.hpp"
 #include "vkref/submission.hpp"
@@ -21,6 +22,7 @@ struct Device::Impl {
   std::unique_ptr<Context> context;
   std::unique_ptr<PipelineCache> pipelines;
   std::unique_ptr<Unpack> unpack;
+  std::unique_ptr<DepthFetches> depthFetches;
   std::unique_ptr<Submission> submission;
   std::unique_ptr<Pool<Image>> images;
   std::unique_ptr<Pool<Buffer>> buffers;

@@ -1,6 +1,8 @@
 // Translates a scene's state into dynamic state, and its draws into bindings and draw commands.
 #include "vkref/draw_state.hpp"
 
+#include <algorithm>
+
 #include "vkref/pipeline_state.hpp"
 
 namespace rasterdiff::vkref {
@@ -38,13 +40,13 @@ void recordViewport(const Context& context, VkCommandBuffer commands, const Scen
 
 /// The push constants that number primitives by vertex: the provoking vertex of primitive p of a strip or fan is
 /// firstProvoking + p, that of a list lies among its own vertices. [vk:drawing-primitive-topologies]
-DrawConstants constantsOf(const State& state, const DrawCommand& draw) {
-  const bool last = state.provokingVertexMode == ProvokingVertexMode::LAST_VERTEX;
+DrawConstants constantsOf(PrimitiveTopology topology, ProvokingVertexMode mode, const DrawCommand& draw) {
+  const bool last = mode == ProvokingVertexMode::LAST_VERTEX;
   const auto numbered = [&](uint32_t verticesPerPrimitive, uint32_t firstProvoking) {
     return DrawConstants{draw.firstPrimitive, verticesPerPrimitive, draw.firstVertex + firstProvoking,
                          draw.viewportIndex};
   };
-  switch (state.topology) {
+  switch (topology) {
     case PrimitiveTopology::POINT_LIST:
       return numbered(1, 0);
     case PrimitiveTopology::LINE_LIST:
@@ -62,7 +64,8 @@ DrawConstants constantsOf(const State& state, const DrawCommand& draw) {
 }
 
 void recordDraw(const Context& context, VkCommandBuffer commands, const Scene& scene, const PassPlan& pass,
-                VkBuffer buffer, const DrawCommand& draw, VkPipelineLayout layout) {
+                const Geometry& geometry, const DrawCommand& draw, VkPipelineLayout layout) {
+  const VkBuffer buffer = geometry.buffer->buffer.get();
   const auto bind = [&](uint32_t binding, VkDeviceSize offset) {
     context.vk.vkCmdBindVertexBuffers(commands, binding, 1, &buffer, &offset);
   };
@@ -71,7 +74,7 @@ void recordDraw(const Context& context, VkCommandBuffer commands, const Scene& s
   if (drawsPoints(scene.state)) bind(kPointSizeBinding, draw.pointSizes);
   if (scene.draws.front().clipDistanceCount > 0) bind(kClipDistanceBinding, draw.clipDistances);
   if (scene.draws.front().cullDistanceCount > 0) bind(kCullDistanceBinding, draw.cullDistances);
-  const DrawConstants constants = constantsOf(scene.state, draw);
+  const DrawConstants constants = constantsOf(geometry.topology, scene.state.provokingVertexMode, draw);
   context.vk.vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
                                 sizeof(constants), &constants);
   if (draw.indexed) {
@@ -80,6 +83,14 @@ void recordDraw(const Context& context, VkCommandBuffer commands, const Scene& s
   } else {
     context.vk.vkCmdDraw(commands, draw.count, 1, draw.firstVertex, 0);
   }
+}
+
+/// A list that no restart index ends leaves it off: enabling it there takes a feature.
+bool restarts(const Scene& scene) {
+  if (!scene.state.primitiveRestartEnable || !isList(scene.state.topology)) return scene.state.primitiveRestartEnable;
+  return std::any_of(scene.draws.begin(), scene.draws.end(), [](const Draw& draw) {
+    return draw.indices && std::find(draw.indices->begin(), draw.indices->end(), kRestartIndex) != draw.indices->end();
+  });
 }
 
 }  // namespace
@@ -94,8 +105,7 @@ void recordState(const Context& context, VkCommandBuffer commands, const Scene& 
   }
   vk.vkCmdSetCullMode(commands, static_cast<VkCullModeFlags>(state.cullMode));
   vk.vkCmdSetFrontFace(commands, static_cast<VkFrontFace>(state.frontFace));
-  vk.vkCmdSetPrimitiveTopology(commands, static_cast<VkPrimitiveTopology>(state.topology));
-  vk.vkCmdSetPrimitiveRestartEnable(commands, state.primitiveRestartEnable);
+  vk.vkCmdSetPrimitiveRestartEnable(commands, restarts(scene));
   vk.vkCmdSetDepthTestEnable(commands, state.depthTestEnable);
   vk.vkCmdSetDepthWriteEnable(commands, state.depthWriteEnable);
   vk.vkCmdSetDepthCompareOp(commands, static_cast<VkCompareOp>(state.depthCompareOp));
@@ -113,13 +123,14 @@ void recordState(const Context& context, VkCommandBuffer commands, const Scene& 
 
 void recordGeometry(const Context& context, VkCommandBuffer commands, const Scene& scene, const RenderPlan& plan,
                     const PassPlan& pass, const Geometry& geometry, VkPipelineLayout layout) {
+  context.vk.vkCmdSetPrimitiveTopology(commands, static_cast<VkPrimitiveTopology>(geometry.topology));
   uint32_t viewport = 0;
   for (const DrawCommand& draw : geometry.draws) {
     if (!plan.viewportIndex && draw.viewportIndex != viewport) {
       viewport = draw.viewportIndex;
       recordViewport(context, commands, scene, viewport);
     }
-    recordDraw(context, commands, scene, pass, geometry.buffer->buffer.get(), draw, layout);
+    recordDraw(context, commands, scene, pass, geometry, draw, layout);
   }
 }
 

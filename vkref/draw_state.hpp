@@ -6,11 +6,10 @@
 
 namespace rasterdiff::vkref {
 
-/// Sets all dynamic state; with several viewports that draws choose themselves (no RenderPlan::viewportIndex), the
-/// viewport is that of the first and recordDraw changes it.
+/// Sets all dynamic state but the topology; where the vertex shader does not choose viewports, that of viewport 0.
 void recordState(const Context& context, VkCommandBuffer commands, const Scene& scene, const RenderPlan& plan);
 
-/// Draws all commands of `geometry` with the varyings of `pass`.
+/// Draws all commands of `geometry` with the varyings of `pass`, each in its viewport.
 void recordGeometry(const Context& context, VkCommandBuffer commands, const Scene& scene, const RenderPlan& plan,
                     const PassPlan& pass, const Geometry& geometry, VkPipelineLayout layout);
 

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "vkref/primitive_class.hpp"
+#include "vkref/triangle_list.hpp"
 
 namespace rasterdiff::vkref {
 namespace {
@@ -16,17 +17,27 @@ constexpr VkDeviceSize kArrayAlignment = 16;
 
 VkDeviceSize roundUp(VkDeviceSize value, VkDeviceSize step) { return (value + step - 1) / step * step; }
 
+/// A device that numbers primitives by the flat output of their provoking vertex needs triangles with vertices of their
+/// own where polygons are drawn as lines or points: there, drivers take the output of any vertex.
+bool asTriangleList(const State& state, bool expand) { return expand && polygonModeOf(state) != PolygonMode::FILL; }
+
 /// The vertices of a draw in the order of memory: all positions, or one an index without the restarts.
 struct VertexOrder {
   bool expanded = false;
   std::vector<uint32_t> indices;  ///< of an expanded draw
   size_t vertices = 0;
 
-  VertexOrder(const Draw& draw, bool restart, bool expand) : expanded(expand && draw.indices) {
+  VertexOrder(const Draw& draw, const State& state, bool expand) {
+    const bool list = asTriangleList(state, expand);
+    expanded = list || (expand && draw.indices);
     vertices = draw.positions.size();
     if (!expanded) return;
-    for (uint32_t index : *draw.indices) {
-      if (!restart || index != kRestartIndex) indices.push_back(index);
+    if (list) {
+      indices = triangleList(state, draw);
+    } else {
+      for (uint32_t index : *draw.indices) {
+        if (!state.primitiveRestartEnable || index != kRestartIndex) indices.push_back(index);
+      }
     }
     vertices = indices.size();
   }
@@ -73,8 +84,8 @@ void copyArrays(const Source& source, const State& state, std::byte* mapped) {
 }
 
 /// One command, or one for each run of vertices between restarts of an expanded draw.
-void addCommands(const Source& source, const State& state, std::vector<DrawCommand>& commands) {
-  if (!source.order.expanded || !state.primitiveRestartEnable) {
+void addCommands(const Source& source, const State& state, bool expand, std::vector<DrawCommand>& commands) {
+  if (!source.order.expanded || !state.primitiveRestartEnable || asTriangleList(state, expand)) {
     commands.push_back(source.command);
     return;
   }
@@ -108,13 +119,15 @@ Result<Pool<Buffer>::Lease> acquireBuffer(Pool<Buffer>& buffers, VkDeviceSize by
 
 Result<Geometry> upload(const Scene& scene, bool expand, Pool<Buffer>& buffers) {
   Geometry geometry;
+  geometry.topology =
+      asTriangleList(scene.state, expand) ? PrimitiveTopology::TRIANGLE_LIST : scene.state.topology;
   std::vector<Source> sources;
   VkDeviceSize bytes = 0;
   uint32_t primitives = 0;
   for (const Draw& draw : scene.draws) {
     const uint32_t own = primitiveCount(scene.state, draw);
     if (own == 0) continue;
-    Source source{&draw, VertexOrder(draw, scene.state.primitiveRestartEnable, expand), {}};
+    Source source{&draw, VertexOrder(draw, scene.state, expand), {}};
     const auto reserve = [&](size_t values, size_t words) {
       const VkDeviceSize offset = bytes;
       bytes = roundUp(bytes + values * words * 4, kArrayAlignment);
@@ -135,7 +148,7 @@ Result<Geometry> upload(const Scene& scene, bool expand, Pool<Buffer>& buffers) 
     command.cullDistances = reserve(vertices, draw.cullDistanceCount);
     if (command.indexed) command.indices = reserve(draw.indices->size(), 1);
     primitives += own;  // validate() has seen that all fit 32 bits
-    addCommands(source, scene.state, geometry.draws);
+    addCommands(source, scene.state, expand, geometry.draws);
     sources.push_back(std::move(source));
   }
   if (sources.empty()) return geometry;

@@ -24,12 +24,14 @@ struct DrawCommand {
 
 struct Geometry {
   Pool<Buffer>::Lease buffer;  ///< null when nothing is drawn
+  PrimitiveTopology topology = PrimitiveTopology::TRIANGLE_LIST;  ///< of the draws
   std::vector<DrawCommand> draws;
 };
 
 /// Draws without a whole primitive are left out. With `expand`, indexed draws become draws of one vertex an index, in
 /// the order of the indices, and a draw with restarts becomes several: the same primitives, with consecutive vertex
-/// numbers. A scene that draws points has a point size for every vertex.
+/// numbers. Polygons that are drawn as lines or points then become a list of triangles.
+/// A scene that draws points has a point size for every vertex.
 /// `scene` has passed validate(). Error: NotOffered when memory ran out.
 [[nodiscard]] Result<Geometry> upload(const Scene& scene, bool expand, Pool<Buffer>& buffers);
 

@@ -5,7 +5,6 @@
 
 #include "scene/built_ins.hpp"
 #include "vkref/commands.hpp"
-#include "vkref/depth_values.hpp"
 #include "vkref/huge_pages.hpp"
 #include "vkref/vk_error.hpp"
 #include "vkref/vk_struct.hpp"
@@ -26,18 +25,6 @@ void recordCopy(const Context& context, VkCommandBuffer commands, const Image& i
   region.imageExtent = {image.key.width, image.key.height, 1};
   context.vk.vkCmdCopyImageToBuffer(commands, image.image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer, 1,
                                     &region);
-}
-
-void recordHostBarrier(const Context& context, VkCommandBuffer commands) {
-  auto barrier = vkStruct<VkMemoryBarrier2>(VK_STRUCTURE_TYPE_MEMORY_BARRIER_2);
-  barrier.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
-  barrier.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
-  barrier.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
-  barrier.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
-  auto info = vkStruct<VkDependencyInfo>(VK_STRUCTURE_TYPE_DEPENDENCY_INFO);
-  info.memoryBarrierCount = 1;
-  info.pMemoryBarriers = &barrier;
-  context.vk.vkCmdPipelineBarrier2(commands, &info);
 }
 
 /// A plane of the plan's extents without any data yet, and room for all of it.
@@ -70,10 +57,10 @@ Plane<T> copyPlane(const RenderPlan& plan, uint32_t samples, const std::byte* fr
   return plane;
 }
 
-Plane<float> depthPlane(const RenderPlan& plan, const std::byte* from, uint32_t stride) {
+Plane<float> depthPlane(const RenderPlan& plan, const std::byte* from, uint32_t stride, DepthFetch fetch) {
   if (plan.samples > 1) {
     Plane<float> plane = copyPlane<float>(plan, plan.samples, from, 1, stride);
-    restoreFetchedDepths(plan.depth, plane.data);
+    restoreFetchedDepths(plan.depth, fetch, plane.data);
     return plane;
   }
   Plane<float> plane = emptyPlane<float>(plan, 1, 1);
@@ -123,7 +110,8 @@ VkDeviceSize placePlanes(const RenderPlan& plan, const Attachments& attachments,
   return bytes;
 }
 
-/// Brings an image from its attachment layout to the one that its transfer reads.
+}  // namespace
+
 VkImageMemoryBarrier2 transferBarrier(const Image& image) {
   const bool depth = isDepthFormat(image.key.format), copied = image.key.samples == 1;
   return imageBarrier(image, depth ? kDepthStages : VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
@@ -134,7 +122,17 @@ VkImageMemoryBarrier2 transferBarrier(const Image& image) {
                       copied ? VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
 }
 
-}  // namespace
+void recordHostBarrier(const Context& context, VkCommandBuffer commands) {
+  auto barrier = vkStruct<VkMemoryBarrier2>(VK_STRUCTURE_TYPE_MEMORY_BARRIER_2);
+  barrier.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+  barrier.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
+  barrier.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
+  barrier.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
+  auto info = vkStruct<VkDependencyInfo>(VK_STRUCTURE_TYPE_DEPENDENCY_INFO);
+  info.memoryBarrierCount = 1;
+  info.pMemoryBarriers = &barrier;
+  context.vk.vkCmdPipelineBarrier2(commands, &info);
+}
 
 Result<Readback> recordReadback(const Context& context, VkCommandBuffer commands, const RenderPlan& plan,
                                 const Attachments& attachments, Pool<Buffer>& buffers, Unpack& unpack,
@@ -170,7 +168,7 @@ Result<Readback> recordReadback(const Context& context, VkCommandBuffer commands
   return readback;
 }
 
-Result<Frame> frameOf(const Scene& scene, const RenderPlan& plan, const Readback& readback) {
+Result<Frame> frameOf(const Scene& scene, const RenderPlan& plan, const Readback& readback, DepthFetch fetch) {
   const std::byte* mapped = readback.buffer->mapped;
   const auto plane = [&]<class T>(T, uint32_t samples, uint32_t components, const PlaneLocation& location) {
     return copyPlane<T>(plan, samples, mapped + location.offset, components, location.stride);
@@ -184,7 +182,7 @@ Result<Frame> frameOf(const Scene& scene, const RenderPlan& plan, const Readback
   if (!counts) return tl::unexpected(counts.error());
   frame.count = std::move(*counts);
   if (plan.depth != VK_FORMAT_UNDEFINED) {
-    frame.depth = depthPlane(plan, mapped + readback.depth.offset, readback.depth.stride);
+    frame.depth = depthPlane(plan, mapped + readback.depth.offset, readback.depth.stride, fetch);
   }
   for (size_t i = kFirstVarying; i < plan.color.size(); ++i) {
     const size_t v = i - kFirstVarying;

@@ -3,6 +3,7 @@
 
 #include "scene/frame.hpp"
 #include "vkref/attachments.hpp"
+#include "vkref/depth_values.hpp"
 #include "vkref/geometry.hpp"
 #include "vkref/unpack.hpp"
 
@@ -27,7 +28,14 @@ struct Readback {
                                               const Attachments& attachments, Pool<Buffer>& buffers, Unpack& unpack,
                                               RenderCost& cost);
 
-/// Copies what a finished submission put into the buffer. Error: NotOffered if a count is too large to be exact.
-[[nodiscard]] Result<Frame> frameOf(const Scene& scene, const RenderPlan& plan, const Readback& readback);
+/// Copies what a finished submission put into the buffer; `fetch` is how depths of several samples came there.
+/// Error: NotOffered if a count is too large to be exact.
+[[nodiscard]] Result<Frame> frameOf(const Scene& scene, const RenderPlan& plan, const Readback& readback,
+                                    DepthFetch fetch);
+
+/// Brings an image from its attachment layout to the one that its transfer reads.
+[[nodiscard]] VkImageMemoryBarrier2 transferBarrier(const Image& image);
+/// Makes what transfers wrote visible to the host.
+void recordHostBarrier(const Context& context, VkCommandBuffer commands);
 
 }  // namespace rasterdiff::vkref

@@ -34,6 +34,13 @@ Result<Frame> draw(const Scene& scene, Device::Impl& impl) {
   if (const Result<void> offered = checkOffered(scene, plan, context.caps); !offered) {
     return tl::unexpected(offered.error());
   }
+  DepthFetch fetch = DepthFetch::Quotient;
+  if (plan.depth != VK_FORMAT_UNDEFINED && plan.samples > 1) {
+    const Result<DepthFetch> asked = impl.depthFetches->of(plan.depth, plan.samples, *impl.images, *impl.buffers,
+                                                           *impl.submission, *impl.unpack);
+    if (!asked) return tl::unexpected(asked.error());
+    fetch = *asked;
+  }
   const PrimitiveSource primitives =
       context.caps.core().geometryShader ? PrimitiveSource::Builtin : PrimitiveSource::Vertex;
   Result<Geometry> geometry = upload(scene, primitives == PrimitiveSource::Vertex, *impl.buffers);
@@ -69,7 +76,7 @@ Result<Frame> draw(const Scene& scene, Device::Impl& impl) {
     impl.abandonedBuffers.push_back(std::move(readback->buffer));
     return tl::unexpected(read.error());
   }
-  Result<Frame> frame = frameOf(scene, plan, *readback);
+  Result<Frame> frame = frameOf(scene, plan, *readback, fetch);
   cost.readbackSeconds = watch.lap();
   return frame;
 }

@@ -214,7 +214,7 @@ int runVerb(const CheckOptions& options) {
   report.scenes = std::move(collector).entries();
   if (report.scenes.empty()) return openFailed(outcome);
   for (SceneEntry& entry : report.scenes) {
-    if (!entry.error) applyBaseline(*baseline, report.subject.name, report.subject.info, entry.result);
+    if (!entry.error) applyBaseline(*baseline, report.subject.name, report.subject.info, report.subject.rules, entry.result);
   }
   report.stopped = outcome.stopped;
   report.notRun = outcome.notRun;

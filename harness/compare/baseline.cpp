@@ -27,7 +27,7 @@ Result<BaselineEntry> parseEntry(const Json& json, const std::string& where) {
   if (!json.is_object()) return fail(ErrorCode::BadInput, where, "an entry has to be an object");
   BaselineEntry entry;
   const std::vector<std::pair<const char*, std::string*>> texts{
-      {"driver", &entry.driver}, {"version", &entry.version}, {"scene", &entry.scene},
+      {"driver", &entry.driver}, {"version", &entry.version}, {"rules", &entry.rules}, {"scene", &entry.scene},
       {"rule", &entry.rule},     {"anchor", &entry.anchor},   {"reason", &entry.reason}};
   for (const auto& [key, value] : json.items()) {
     const auto text = std::find_if(texts.begin(), texts.end(), [&](const auto& t) { return key == t.first; });
@@ -42,7 +42,7 @@ Result<BaselineEntry> parseEntry(const Json& json, const std::string& where) {
       }
     } else {
       return fail(ErrorCode::BadInput, where, fmt::format("unknown field \"{}\"", key),
-                  "fields: driver, version, scene, planes, rule, anchor, reason");
+                  "fields: driver, version, rules, scene, planes, rule, anchor, reason");
     }
   }
   if (entry.driver.empty() || entry.scene.empty() || entry.planes.empty() || entry.reason.empty()) {
@@ -52,8 +52,9 @@ Result<BaselineEntry> parseEntry(const Json& json, const std::string& where) {
   return entry;
 }
 
-bool matches(const BaselineEntry& entry, std::string_view driverName, std::string_view driverInfo, const std::string& scene) {
-  return entry.driver == driverName && driverInfo.starts_with(entry.version) &&
+bool matches(const BaselineEntry& entry, std::string_view driverName, std::string_view driverInfo, std::string_view rulesName,
+             const std::string& scene) {
+  return entry.driver == driverName && (entry.rules.empty() || entry.rules == rulesName) && driverInfo.starts_with(entry.version) &&
          fnmatch(entry.scene.c_str(), scene.c_str(), 0) == 0;
 }
 
@@ -93,17 +94,18 @@ Result<Baseline> parseBaseline(std::string_view text, const std::string& fileNam
 std::string writeBaseline(const Baseline& baseline) {
   Json entries = Json::array();
   for (const BaselineEntry& entry : baseline.entries) {
-    entries.push_back({{"driver", entry.driver}, {"version", entry.version}, {"scene", entry.scene}, {"planes", entry.planes},
+    entries.push_back({{"driver", entry.driver}, {"version", entry.version}, {"rules", entry.rules}, {"scene", entry.scene}, {"planes", entry.planes},
                        {"rule", entry.rule}, {"anchor", entry.anchor}, {"reason", entry.reason}});
   }
   return Json{{"entries", entries}}.dump(2) + "\n";
 }
 
-void applyBaseline(const Baseline& baseline, std::string_view driverName, std::string_view driverInfo, SceneResult& result) {
+void applyBaseline(const Baseline& baseline, std::string_view driverName, std::string_view driverInfo, std::string_view rulesName,
+                   SceneResult& result) {
   result.baseline = BaselineStatus::None;
   result.baselineReason.clear();
   for (const BaselineEntry& entry : baseline.entries) {
-    if (!matches(entry, driverName, driverInfo, result.id)) continue;
+    if (!matches(entry, driverName, driverInfo, rulesName, result.id)) continue;
     if (result.verdict == Verdict::Same || result.verdict == Verdict::Allowed) {
       result.baseline = BaselineStatus::Improved;
       result.baselineReason = entry.reason;
@@ -112,7 +114,8 @@ void applyBaseline(const Baseline& baseline, std::string_view driverName, std::s
     std::vector<std::string> expected = entry.planes, actual = differingPlanes(result);
     std::sort(expected.begin(), expected.end());
     std::sort(actual.begin(), actual.end());
-    if (result.verdict != Verdict::Differs || expected != actual) continue;
+    const bool crashed = result.verdict == Verdict::Crashed && expected == std::vector<std::string>{"crash"};
+    if (!crashed && (result.verdict != Verdict::Differs || expected != actual)) continue;
     result.baseline = BaselineStatus::ExpectedDiff;
     result.baselineReason = entry.reason;
     return;

@@ -14,8 +14,9 @@ namespace rasterdiff::harness {
 struct BaselineEntry {
   std::string driver;               ///< driverName: "llvmpipe"
   std::string version;              ///< the start of driverInfo: "Mesa 22.3"; empty for every version
+  std::string rules;                ///< name of the rules it was judged under: "spec"; empty for any
   std::string scene;                ///< name, or a glob
-  std::vector<std::string> planes;  ///< "coverage", "depth", names of varyings: these differ, and no others
+  std::vector<std::string> planes;  ///< "coverage", "depth", names of varyings: these differ, and no others; "crash" alone: it crashed
   std::string rule;                 ///< "R39"
   std::string anchor;               ///< "vk:fragops-scissor"
   std::string reason;               ///< one sentence
@@ -36,6 +37,7 @@ struct Baseline {
 [[nodiscard]] std::string writeBaseline(const Baseline& baseline);
 
 /// Sets `baseline` and `baselineReason` of a result that `driver` (name and info) gave.
-void applyBaseline(const Baseline& baseline, std::string_view driverName, std::string_view driverInfo, SceneResult& result);
+void applyBaseline(const Baseline& baseline, std::string_view driverName, std::string_view driverInfo, std::string_view rulesName,
+                   SceneResult& result);
 
 }  // namespace rasterdiff::harness

@@ -14,7 +14,8 @@ struct Outcome {
 };
 
 /// Plays all candidates in drawing order through the depth test on intervals, keeping every state that can be reached;
-/// `clearDepth` is what the attachment may hold before. Candidates with opposite tie edges cover one at a time. Never calls a reachable outcome illegal.
+/// `clearDepth` is what the attachment may hold before them. Candidates with opposite tie edges cover one at a time.
+/// Never calls a reachable outcome illegal.
 [[nodiscard]] Outcome judgeOutcome(const State& state, Bounds clearDepth, bool hasDepth,
                                    std::span<const rasterizer::Candidate> candidates, uint32_t winner, uint32_t count);
 

@@ -59,7 +59,7 @@ void countScene(Totals& totals, const SceneEntry& entry) {
     case Verdict::Allowed: ++totals.scenesAllowed; break;
     case Verdict::Differs: ++totals.scenesDiffer; break;
     case Verdict::Skipped: ++totals.skipped; break;
-    case Verdict::Crashed: ++totals.crashed; break;
+    case Verdict::Crashed: totals.crashed += isUnexpected(entry.result) ? 1U : 0U; break;
     case Verdict::TimedOut: ++totals.timedOut; break;
   }
 }

@@ -5,9 +5,8 @@
 
 namespace rasterdiff::rasterizer {
 
-/// [choice:alpha-to-coverage] sample s of n is kept by an alpha above s / n (one sample: above 1/2).
+/// [choice:alpha-to-coverage] sample s of n is kept by an alpha above s / n.
 [[nodiscard]] inline bool alphaCovers(float alpha, uint32_t sample, uint32_t samples) {
-  if (samples == 1) return alpha > 0.5F;
   return alpha > static_cast<float>(sample) / static_cast<float>(samples);
 }
 

@@ -46,12 +46,12 @@ EvaluationOffset evaluationOffset(float x, float y, const Rules& rules) {
   const double left = std::floor(x * steps) / steps, right = std::ceil(x * steps) / steps;
   const double top = std::floor(y * steps) / steps, bottom = std::ceil(y * steps) / steps;
   offset.corners = boxOf(left, top, right, bottom);
-  offset.free = rules.open && (left != right || top != bottom);
+  offset.free = rules.openValues() && (left != right || top != bottom);
   return offset;
 }
 
 AttributeLocation::AttributeLocation(std::vector<SubpixelPosition> pattern, const Rules& rules)
-    : pattern_(std::move(pattern)), areaIsFree_(rules.open && pattern_.size() > 1),
+    : pattern_(std::move(pattern)), areaIsFree_(rules.openValues() && pattern_.size() > 1),
       ignoreCentroid_(rules.error == DeliberateError::CentroidIgnored),
       sampleAtCentre_(rules.error == DeliberateError::SampleAtCentre) {}
 

@@ -103,7 +103,7 @@ void BuiltInValues::fragCoord(const FragmentPlace& place, const AttributeLocatio
                               const Interval& reciprocalW, Interpolated* out) const {
   const Spot nominal = nominalSpot(place, location);
   Interval x{nominal.x, nominal.x, nominal.x}, y{nominal.y, nominal.y, nominal.y};
-  if (rules_.open && !shading_.certain) {
+  if (rules_.openValues() && !shading_.certain) {
     // With sample shading at one of the samples of the invocation, without at the centre.
     const Spot first = shading_.enabled ? sampleOf(place, place.sample, location.pattern()) : centreOf(place);
     x.lo = x.hi = first.x;

@@ -52,7 +52,7 @@ Freedom ofBuiltIn(BuiltIn builtIn, const SampleShading& shading, bool multisampl
 
 std::vector<Freedom> valueFreedoms(const Scene& scene, const Rules& rules) {
   const bool multisampled = scene.target.samples > 1;
-  const auto ifOpen = [&rules](Freedom freedom) { return rules.open ? freedom : Freedom::None; };
+  const auto ifOpen = [&rules](Freedom freedom) { return rules.openValues() ? freedom : Freedom::None; };
   std::vector<Freedom> freedoms;
   if (scene.target.depthFormat) freedoms.push_back(ifOpen(ofDepth(scene.state)));
   const size_t varyings = scene.draws.empty() ? 0 : scene.draws[0].varyings.size();

@@ -1,6 +1,6 @@
 // Bresenham lines under open rules. A device may use another algorithm than the diamond-exit rule if its fragments are
-// at most one pixel aside and at most one more or one less: so no pixel by itself is certain, and all pixels that are no
-// neighbour of an ideal one are out. What the fragments of one line must obey together is in bresenham_rules.hpp.
+// at most one pixel aside and at most one more or one less: so no pixel by itself is certain, and all pixels that are
+// no neighbour of an ideal one are out. What the fragments of one line must obey together is in bresenham_rules.hpp.
 // [vk:primsrast-lines-bresenham]
 #include <cstdlib>
 
@@ -160,7 +160,8 @@ class BresenhamBand final : public LineBand {
       return start + static_cast<uint64_t>(std::max<int64_t>(offset, 0));
     };
     return stippleOutcome(stipple_, counter(stipple_.start.lowest, steps - kDeviation),
-                          counter(stipple_.start.highest, steps + kDeviation)).mayDraw;
+                          counter(stipple_.start.highest, steps + kDeviation))
+        .mayDraw;
   }
 
   LineStipple stipple_;

@@ -24,7 +24,8 @@ class BresenhamCoverage final : public LineCoverage {
     return !stipple_.enabled || stipple_.draws(stipple_.start.s + static_cast<uint64_t>(i));
   }
 
-  // The outermost pixels are centred within half a pixel of the line's own, and a pixel's corner is 0.71 from its centre.
+  // The outermost pixels are centred within half a pixel of the line's own, and a pixel's corner is 0.71 from its
+  // centre.
   double reach() const override { return static_cast<double>(width_ + 3) / 2 * kSubpixelOne; }
 
  private:

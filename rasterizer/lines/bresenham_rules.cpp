@@ -66,8 +66,10 @@ class Check {
     for (int64_t i = 0; i < line_.count(); ++i) {
       const Fragment f = at(line_.pixel(i));
       const Range major{f.major - 1, f.major + 1}, minor{f.minor - 1, f.minor + width_};
-      if (major.low >= major_.low && major.high < major_.high && minor.low >= minor_.low && minor.high < minor_.high) ++certain;
-      if (major.high >= major_.low && major.low < major_.high && minor.high >= minor_.low && minor.low < minor_.high) ++possible;
+      if (major.low >= major_.low && major.high < major_.high && minor.low >= minor_.low && minor.high < minor_.high)
+        ++certain;
+      if (major.high >= major_.low && major.low < major_.high && minor.high >= minor_.low && minor.low < minor_.high)
+        ++possible;
     }
     if (columns_ > possible + 1) return {BresenhamFault::TooMany, {}};
     if (columns_ < certain - 1) return {BresenhamFault::TooFew, {}};

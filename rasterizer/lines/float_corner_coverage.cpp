@@ -62,8 +62,9 @@ std::unique_ptr<LineCoverage> floatCornerCoverage(const LineEnds& ends, const Li
 
   std::vector<Outline> outlines;
   for (const FloatSegment& segment : segments) {
-    const std::optional<LineOutline> corners = bresenham ? bresenhamOutline(segment.a, segment.b, style.width, origin)
-                                                         : rectangularOutline(segment.a, segment.b, style.width, origin);
+    const std::optional<LineOutline> corners = bresenham
+                                                   ? bresenhamOutline(segment.a, segment.b, style.width, origin)
+                                                   : rectangularOutline(segment.a, segment.b, style.width, origin);
     if (!corners) continue;
     Outline outline;
     for (size_t i = 0; i < 4; ++i) {

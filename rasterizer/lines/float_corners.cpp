@@ -83,7 +83,8 @@ std::optional<LineOutline> rectangularOutline(FloatPosition a, FloatPosition b, 
   if (!(length2 > 0)) return std::nullopt;
   const float scale = width * 0.5F / std::sqrt(length2);
   const int32_t nx = snapAway(-dy * scale), ny = snapAway(dx * scale);
-  const SubpixelPosition p{snapFrom(origin, a.x), snapFrom(origin, a.y)}, q{snapFrom(origin, b.x), snapFrom(origin, b.y)};
+  const SubpixelPosition p{snapFrom(origin, a.x), snapFrom(origin, a.y)},
+      q{snapFrom(origin, b.x), snapFrom(origin, b.y)};
   return LineOutline{{{p.x + nx, p.y + ny}, {q.x + nx, q.y + ny}, {q.x - nx, q.y - ny}, {p.x - nx, p.y - ny}}};
 }
 

@@ -26,11 +26,15 @@ BandVerdict eitherOf(const BandVerdict& a, const BandVerdict& b, Freedom freedom
   return {Coverage::Either, freedom, std::nullopt};
 }
 
-std::unique_ptr<LineBand> lineBand(const RasterVertex& a, const RasterVertex& b, const LineStyle& style, const Rules& rules) {
+std::unique_ptr<LineBand> lineBand(const RasterVertex& a, const RasterVertex& b, const LineStyle& style,
+                                   const Rules& rules) {
   switch (lineKind(style, rules.limits)) {
-    case LineKind::Rectangle: return rectangleBand(a, b, style, rules);
-    case LineKind::Bresenham: return bresenhamBand(a, b, style, rules);
-    case LineKind::Parallelogram: break;
+    case LineKind::Rectangle:
+      return rectangleBand(a, b, style, rules);
+    case LineKind::Bresenham:
+      return bresenhamBand(a, b, style, rules);
+    case LineKind::Parallelogram:
+      break;
   }
   std::unique_ptr<LineBand> parallelogram = parallelogramBand(a, b, style, rules);
   if (!parallelogram) return nullptr;

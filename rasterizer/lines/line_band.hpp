@@ -18,12 +18,12 @@ class LineBand {
 };
 
 /// Null where the line certainly draws nothing.
-[[nodiscard]] std::unique_ptr<LineBand> rectangleBand(const RasterVertex& a, const RasterVertex& b, const LineStyle& style,
-                                                      const Rules& rules);
+[[nodiscard]] std::unique_ptr<LineBand> rectangleBand(const RasterVertex& a, const RasterVertex& b,
+                                                      const LineStyle& style, const Rules& rules);
 [[nodiscard]] std::unique_ptr<LineBand> parallelogramBand(const RasterVertex& a, const RasterVertex& b,
                                                           const LineStyle& style, const Rules& rules);
-[[nodiscard]] std::unique_ptr<LineBand> bresenhamBand(const RasterVertex& a, const RasterVertex& b, const LineStyle& style,
-                                                      const Rules& rules);
+[[nodiscard]] std::unique_ptr<LineBand> bresenhamBand(const RasterVertex& a, const RasterVertex& b,
+                                                      const LineStyle& style, const Rules& rules);
 
 /// The one for the style's mode; without strictLines, what a parallelogram or a Bresenham line may cover.
 [[nodiscard]] std::unique_ptr<LineBand> lineBand(const RasterVertex& a, const RasterVertex& b, const LineStyle& style,

@@ -4,10 +4,14 @@ namespace rasterdiff::rasterizer {
 
 bool ownsLineTies(const Rules& rules, int64_t dx, int64_t dy) {
   switch (rules.error) {
-    case DeliberateError::TiesCoveredByBoth: return true;
-    case DeliberateError::TiesCoveredByNone: return false;
-    case DeliberateError::TieOwnerBottomRight: return ownsTies(TieOwner::BottomRight, dx, dy);
-    default: return ownsTies(rules.choices.tieOwner, dx, dy);
+    case DeliberateError::TiesCoveredByBoth:
+      return true;
+    case DeliberateError::TiesCoveredByNone:
+      return false;
+    case DeliberateError::TieOwnerBottomRight:
+      return ownsTies(TieOwner::BottomRight, dx, dy);
+    default:
+      return ownsTies(rules.choices.tieOwner, dx, dy);
   }
 }
 
@@ -15,9 +19,12 @@ std::unique_ptr<LineCoverage> lineCoverage(const LineEnds& ends, const LineStyle
   if (ends.removed) return nullptr;
   if (rules.choices.lineArithmetic == LineArithmetic::Float32Corners) return floatCornerCoverage(ends, style, rules);
   switch (lineKind(style, rules.limits)) {
-    case LineKind::Rectangle: return rectangleCoverage(ends, style, rules);
-    case LineKind::Parallelogram: return parallelogramCoverage(ends, style, rules);
-    case LineKind::Bresenham: return bresenhamCoverage(ends, style, rules);
+    case LineKind::Rectangle:
+      return rectangleCoverage(ends, style, rules);
+    case LineKind::Parallelogram:
+      return parallelogramCoverage(ends, style, rules);
+    case LineKind::Bresenham:
+      return bresenhamCoverage(ends, style, rules);
   }
   return nullptr;
 }

@@ -19,14 +19,19 @@ class LineCoverage {
 };
 
 /// Around the snapped ends, decided exactly. Null where nothing is drawn.
-[[nodiscard]] std::unique_ptr<LineCoverage> rectangleCoverage(const LineEnds& ends, const LineStyle& style, const Rules& rules);
-[[nodiscard]] std::unique_ptr<LineCoverage> parallelogramCoverage(const LineEnds& ends, const LineStyle& style, const Rules& rules);
-[[nodiscard]] std::unique_ptr<LineCoverage> bresenhamCoverage(const LineEnds& ends, const LineStyle& style, const Rules& rules);
+[[nodiscard]] std::unique_ptr<LineCoverage> rectangleCoverage(const LineEnds& ends, const LineStyle& style,
+                                                              const Rules& rules);
+[[nodiscard]] std::unique_ptr<LineCoverage> parallelogramCoverage(const LineEnds& ends, const LineStyle& style,
+                                                                  const Rules& rules);
+[[nodiscard]] std::unique_ptr<LineCoverage> bresenhamCoverage(const LineEnds& ends, const LineStyle& style,
+                                                              const Rules& rules);
 /// [choice:line-arithmetic] Float32Corners. Null where nothing is drawn.
-[[nodiscard]] std::unique_ptr<LineCoverage> floatCornerCoverage(const LineEnds& ends, const LineStyle& style, const Rules& rules);
+[[nodiscard]] std::unique_ptr<LineCoverage> floatCornerCoverage(const LineEnds& ends, const LineStyle& style,
+                                                                const Rules& rules);
 
 /// What `rules` choose. Null where nothing is drawn.
-[[nodiscard]] std::unique_ptr<LineCoverage> lineCoverage(const LineEnds& ends, const LineStyle& style, const Rules& rules);
+[[nodiscard]] std::unique_ptr<LineCoverage> lineCoverage(const LineEnds& ends, const LineStyle& style,
+                                                         const Rules& rules);
 
 /// Who owns a sample on the edge of a line's outline with this direction, positively oriented.
 /// [choice:tie-owner] [vk:primsrast-polygons-basic]

@@ -27,7 +27,8 @@ struct PlacedBand {
 
 class LineShape final : public Shape {
  public:
-  LineShape(const LineEnds& ends, std::unique_ptr<LineCoverage> nominal, PlacedBand cut, std::optional<PlacedBand> uncut)
+  LineShape(const LineEnds& ends, std::unique_ptr<LineCoverage> nominal, PlacedBand cut,
+            std::optional<PlacedBand> uncut)
       : nominal_(std::move(nominal)), cut_(std::move(cut)), uncut_(std::move(uncut)) {
     if (nominal_) reach_.emplace(ends.a.snapped, ends.b.snapped, nominal_->reach());
   }

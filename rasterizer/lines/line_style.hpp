@@ -42,9 +42,9 @@ struct LineStyle {
   /// DEFAULT is RECTANGULAR on a device with strictLines, else a parallelogram. RECTANGULAR_SMOOTH has the geometry of
   /// RECTANGULAR; which pixels around it are covered is not modelled.
   LineRasterizationMode mode = LineRasterizationMode::DEFAULT;
-  float width = 1;       ///< pixels, as the pipeline state has it
-  uint32_t samples = 1;  ///< of the target
-  LineStipple stipple;   ///< not for parallelograms, which Vulkan forbids to stipple
+  float width = 1;         ///< pixels, as the pipeline state has it
+  uint32_t samples = 1;    ///< of the target
+  LineStipple stipple;     ///< not for parallelograms, which Vulkan forbids to stipple
   bool ofPolygon = false;  ///< an edge of a triangle in polygon mode LINE
   PixelArea area;          ///< target cut by the scissor; matters to LineArithmetic::Float32Corners only
 };

@@ -34,7 +34,9 @@ LineWidth lineWidth(float width, const Limits& limits) {
 
 BresenhamWidth bresenhamWidth(float width, const Limits& limits) {
   const int64_t lowest = nearest(limits.lineWidthMin), highest = nearest(limits.lineWidthMax);
-  const auto actual = [&](int64_t rounded) { return std::max<int64_t>(1, std::clamp(rounded, lowest, std::max(lowest, highest))); };
+  const auto actual = [&](int64_t rounded) {
+    return std::max<int64_t>(1, std::clamp(rounded, lowest, std::max(lowest, highest)));
+  };
   const double requested = sane(width), below = std::floor(requested);
   BresenhamWidth result;
   result.nominal = result.other = actual(nearest(requested));

@@ -59,7 +59,8 @@ class ParallelogramBand final : public LineBand {
     const int64_t step = kSubpixelOne >> gridBits(rules);
     const bool exact = width_.narrowest == width_.widest && width_.nominal % (2 * step) == 0;
     cornerMargin2_ = exact ? 0 : 2 * step;
-    reach_ = static_cast<double>(width_.widest + cornerMargin2_) / 2 + static_cast<double>(boxA.size() + boxB.size()) + 2;
+    reach_ =
+        static_cast<double>(width_.widest + cornerMargin2_) / 2 + static_cast<double>(boxA.size() + boxB.size()) + 2;
   }
 
   BandVerdict classify(int64_t px, int64_t py) const override {

@@ -14,7 +14,11 @@ namespace {
 class RectangleBand final : public LineBand {
  public:
   RectangleBand(const RasterVertex& a, const RasterVertex& b, const LineStyle& style, const Rules& rules)
-      : a_(a), b_(b), width_(lineWidth(style.width, rules.limits)), stipple_(style.stipple), length2_(squaredLength(a_, b_)) {
+      : a_(a),
+        b_(b),
+        width_(lineWidth(style.width, rules.limits)),
+        stipple_(style.stipple),
+        length2_(squaredLength(a_, b_)) {
     const int64_t step = kSubpixelOne >> gridBits(rules);
     fixed_ = a_.fixed() && b_.fixed();
     cornerMargin2_ = hasExactCorners(step) ? 0 : 3 * step + turn2();
@@ -44,9 +48,7 @@ class RectangleBand final : public LineBand {
     if (all != Coverage::Either) return {all, Freedom::None, std::nullopt};
     Freedom freedom = Freedom::LineCorner;
     if (decide(products, width_.nominal, width_.nominal, 0) == Coverage::Either) {
-      freedom = fixed_                      ? Freedom::TieOwner
-                : a_.made || b_.made        ? Freedom::ClipVertexPosition
-                                            : Freedom::SnapRounding;
+      freedom = fixed_ ? Freedom::TieOwner : a_.made || b_.made ? Freedom::ClipVertexPosition : Freedom::SnapRounding;
     } else if (decide(products, width_.narrowest, width_.widest, 0) == Coverage::Either) {
       freedom = Freedom::LineWidthStep;
     }
@@ -65,8 +67,8 @@ class RectangleBand final : public LineBand {
     if (outside(p.fromA.high) || outside(p.fromB.high) || 4 * squared(across.low) > squared(out) * length2_.high) {
       return Coverage::Out;
     }
-    const bool covered = inside(p.fromA.low) && inside(p.fromB.low) && in > 0 &&
-                         4 * squared(across.high) < squared(in) * length2_.low;
+    const bool covered =
+        inside(p.fromA.low) && inside(p.fromB.low) && in > 0 && 4 * squared(across.high) < squared(in) * length2_.low;
     return covered ? Coverage::In : Coverage::Either;
   }
 
@@ -75,7 +77,9 @@ class RectangleBand final : public LineBand {
     if (!fixed_ || width_.narrowest != width_.widest || length2_.low == 0) return false;
     const int64_t length = squareRoot(length2_.low);
     if (squared(length) != length2_.low) return false;
-    const auto onGrid = [&](Range from, Range to) { return width_.nominal * (to.low - from.low) % (2 * length * step) == 0; };
+    const auto onGrid = [&](Range from, Range to) {
+      return width_.nominal * (to.low - from.low) % (2 * length * step) == 0;
+    };
     return onGrid(a_.x, b_.x) && onGrid(a_.y, b_.y);
   }
 
@@ -98,7 +102,9 @@ class RectangleBand final : public LineBand {
       const int64_t slack = cornerMargin2_ + 3;
       const int64_t nearest = along.low > 0 ? squareRoot(squared(along.low) / length2_.high) - slack : 0;
       const int64_t farthest = along.high > 0 ? squareRootUp(squared(along.high) / length2_.low + 1) + slack : slack;
-      const auto unit = [](int64_t subpixels) { return static_cast<uint64_t>(std::max<int64_t>(0, subpixels)) >> kSubpixelBits; };
+      const auto unit = [](int64_t subpixels) {
+        return static_cast<uint64_t>(std::max<int64_t>(0, subpixels)) >> kSubpixelBits;
+      };
       plain = stippleOutcome(stipple_, stipple_.start.lowest + unit(nearest), stipple_.start.highest + unit(farthest));
       const auto low = static_cast<int64_t>(std::floor(stipple_.start.carried - stipple_.start.uncertainty));
       const auto high = static_cast<int64_t>(std::ceil(stipple_.start.carried + stipple_.start.uncertainty));

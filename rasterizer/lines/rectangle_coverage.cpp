@@ -1,5 +1,5 @@
-// Rectangular lines, exactly: the distance from the segment and the projection on it are compared as squares, so that no
-// square root is taken. Stippled ones are cut into rectangles of unit length. [vk:primsrast-lines-basic]
+// Rectangular lines, exactly: the distance from the segment and the projection on it are compared as squares, so that
+// no square root is taken. Stippled ones are cut into rectangles of unit length. [vk:primsrast-lines-basic]
 #include <cmath>
 
 #include "rasterizer/lines/line_coverage.hpp"

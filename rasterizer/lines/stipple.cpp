@@ -42,13 +42,12 @@ StippleOutcome stippleOutcome(const LineStipple& stipple, uint64_t lowest, uint6
   return outcome;
 }
 
-StippleOutcome stippleOutcome(const LineStipple& stipple) {
-  return {stipple.pattern != 0, stipple.pattern != 0xFFFF};
-}
+StippleOutcome stippleOutcome(const LineStipple& stipple) { return {stipple.pattern != 0, stipple.pattern != 0xFFFF}; }
 
 StippleCounter stippleAfter(const LineEnds& ends, const LineStyle& style, const Rules& rules) {
   // The driver takes strips apart before it stipples them (it does where the fragment shader reads the primitive's
-  // number), so that every line of a strip starts anew; the edges of a triangle share one counter. [choice:line-arithmetic]
+  // number), so that every line of a strip starts anew; the edges of a triangle share one counter.
+  // [choice:line-arithmetic]
   if (rules.choices.lineArithmetic == LineArithmetic::Float32Corners && !style.ofPolygon) return {};
   StippleCounter next = style.stipple.start;
   // [vk:primsrast-lines-stipple] after clipping the counter is implementation-dependent.

@@ -51,28 +51,37 @@ class SquarePoint final : public Shape {
 
 }  // namespace
 
-float quantisedPointSize(float size, const Limits& limits) {
-  const float clamped = std::clamp(size, limits.pointSizeMin, limits.pointSizeMax);
-  if (limits.pointSizeGranularity <= 0) return clamped;
-  const float steps = std::nearbyint((clamped - limits.pointSizeMin) / limits.pointSizeGranularity);
-  return std::min(limits.pointSizeMax, limits.pointSizeMin + steps * limits.pointSizeGranularity);
+PointSize pointSize(float size, const Limits& limits) {
+  PointSize result;
+  result.requested = std::clamp(size, limits.pointSizeMin, limits.pointSizeMax);
+  result.nominal = result.requested;
+  if (limits.pointSizeGranularity > 0) {
+    const float steps = std::nearbyint((result.requested - limits.pointSizeMin) / limits.pointSizeGranularity);
+    result.nominal = std::min(limits.pointSizeMax, limits.pointSizeMin + steps * limits.pointSizeGranularity);
+  }
+  const float away = std::fabs(result.nominal - result.requested);
+  result.smallest = result.requested - away;
+  result.largest = result.requested + away;
+  return result;
 }
 
-std::unique_ptr<Shape> makePointShape(const ClipPosition& position, const RasterVertex& vertex, float size,
+std::unique_ptr<Shape> makePointShape(const ClipPosition& position, const RasterVertex& vertex, const PointSize& size,
                                       const VertexStage& stage) {
-  // The half side in 1/256 pixel, on the grid that ceilingExactly takes.
-  const double half = std::nearbyint(double{size} * 128 * 1024) / 1024;
+  // Half sides in 1/256 pixel, on the grid that ceilingExactly takes.
+  const auto halfSide = [](float side) { return std::nearbyint(double{side} * 128 * 1024) / 1024; };
+  const double half = halfSide(size.nominal);
   const auto axis = [&](float coordinate, const ViewportAxis& viewportAxis, int32_t snapped, int32_t lowest, int32_t highest) {
     SquarePoint::Axis result;
     if (stage.rules.choices.pointArithmetic == PointArithmetic::SnappedCentre) {
       // The centre snapped like a vertex, the side in whole subpixels and at least a pixel, its half rounded down.
-      const auto side = std::max<int64_t>(kSubpixelOne, static_cast<int64_t>(std::nearbyint(double{size} * kSubpixelOne)));
+      const auto side = std::max<int64_t>(kSubpixelOne, static_cast<int64_t>(std::nearbyint(double{size.requested} * kSubpixelOne)));
       result.nominal = {snapped - side / 2, snapped - side / 2 + side};
     } else {
       result.nominal = {ceilingExactly(coordinate, position.w, viewportAxis, -half),
                         ceilingExactly(coordinate, position.w, viewportAxis, half)};
     }
-    const auto outward = static_cast<int64_t>(std::ceil(half)), inward = static_cast<int64_t>(std::floor(half));
+    const auto outward = static_cast<int64_t>(std::ceil(halfSide(size.largest)));
+    const auto inward = static_cast<int64_t>(std::floor(halfSide(size.smallest)));
     result.possible = {lowest - outward, highest + outward + 1};
     result.certain = {highest - inward + 1, lowest + inward};
     return result;

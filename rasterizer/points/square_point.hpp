@@ -9,11 +9,16 @@
 
 namespace rasterdiff::rasterizer {
 
-/// `size` clamped to the device's pointSizeRange and rounded to its granularity. [vk:limits-pointSizeRange]
-[[nodiscard]] float quantisedPointSize(float size, const Limits& limits);
+/// Sizes that a device may draw when `size` pixels are asked for: clamped to its pointSizeRange, the nearest advertised
+/// size, or any size that is no farther from the requested one. [vk:limits-pointSizeRange] [vk:limits-pointSizeGranularity]
+struct PointSize {
+  float requested = 1;  ///< clamped, not rounded
+  float nominal = 1, smallest = 1, largest = 1;
+};
+[[nodiscard]] PointSize pointSize(float size, const Limits& limits);
 
-/// The square of a point with a vertex inside the view volume. `size` in pixels, quantised.
-[[nodiscard]] std::unique_ptr<Shape> makePointShape(const ClipPosition& position, const RasterVertex& vertex, float size,
+/// The square of a point with a vertex inside the view volume.
+[[nodiscard]] std::unique_ptr<Shape> makePointShape(const ClipPosition& position, const RasterVertex& vertex, const PointSize& size,
                                                     const VertexStage& stage);
 
 }  // namespace rasterdiff::rasterizer

@@ -85,11 +85,6 @@ void addLineRect(Entries& entries) {
     scene.state.lineRasterizationMode = LineRasterizationMode::DEFAULT;
     return scene;
   });
-  family.add("smooth-mode", "smooth lines cover about what rectangular ones cover", {"R27", "R33"}, [] {
-    Scene scene = lines(32, {{3.5, 3.25}, {28.5, 11.5}, {5.25, 28.5}, {9.5, 6.25}});
-    scene.state.lineRasterizationMode = LineRasterizationMode::RECTANGULAR_SMOOTH;
-    return scene;
-  });
 }
 
 }  // namespace rasterdiff::families

@@ -80,12 +80,6 @@ void addPolygonMode(Entries& entries) {
     scene.state.depthBiasSlopeFactor = 1;
     return scene;
   });
-  family.add("stippled", "stippled edges", {"R32", "R34"}, [] {
-    Scene scene = wire(LINE);
-    scene.state.stippledLineEnable = true;
-    scene.state.lineStipplePattern = 0x0F0F;
-    return scene;
-  });
 }
 
 }  // namespace rasterdiff::families

@@ -81,13 +81,13 @@ void addSupersample(Entries& entries) {
                [n] { return stripes(n); });
     family.add(fmt::format("zone-plate-{}", n), "ever thinner rings: false centres appear", rules, [n] { return rings(n); });
   }
-  family.add("edge-3", "a slanted edge three times as large: four shades, then ten", {"R14"}, [] {
+  family.add("edge-3", "a slanted edge three times as large: at most ten shades", {"R14"}, [] {
     Scene scene = square(32);
     scene.target.supersample = 3;
     draw(scene, {{3.25, 2.5}, {28.75, 9}, {11, 29.125}});
     return scene;
   });
-  family.add("lines-points-2", "widths and sizes grow with the picture", {"R25", "R34"}, [] {
+  family.add("points-2", "point sizes grow with the picture", {"R25", "R34"}, [] {
     Scene scene = square(32);
     scene.target.supersample = 2;
     scene.state.polygonMode = PolygonMode::POINT;

@@ -37,8 +37,8 @@ Baseline baselineFor(std::vector<std::string> planes) {
 }
 
 BaselineStatus statusOf(const Baseline& baseline, SceneResult result, std::string_view driver = "driver",
-                        std::string_view info = "Version 1.2") {
-  applyBaseline(baseline, driver, info, result);
+                        std::string_view info = "Version 1.2", std::string_view rules = "spec") {
+  applyBaseline(baseline, driver, info, rules, result);
   return result.baseline;
 }
 
@@ -58,14 +58,23 @@ TEST(Baseline, ExcusesNoOtherDriverVersionOrScene) {
   EXPECT_EQ(statusOf(baseline, result), BaselineStatus::None);
 }
 
-TEST(Baseline, ExcusesNoCrash) {
+TEST(Baseline, OfSomeRulesExcusesUnderNoOthers) {
+  Baseline baseline = baselineFor({"coverage"});
+  baseline.entries[0].rules = "spec";
+  EXPECT_EQ(statusOf(baseline, resultOf(Verdict::Differs, 1)), BaselineStatus::ExpectedDiff);
+  EXPECT_EQ(statusOf(baseline, resultOf(Verdict::Differs, 1), "driver", "Version 1.2", "lavapipe"), BaselineStatus::None);
+}
+
+TEST(Baseline, ExcusesACrashOnlyByName) {
+  EXPECT_EQ(statusOf(baselineFor({"crash"}), resultOf(Verdict::Crashed, 0)), BaselineStatus::ExpectedDiff);
+  EXPECT_EQ(statusOf(baselineFor({"crash"}), resultOf(Verdict::Differs, 1)), BaselineStatus::None);
   EXPECT_EQ(statusOf(baselineFor({"coverage"}), resultOf(Verdict::Crashed, 0)), BaselineStatus::None);
 }
 
 TEST(Baseline, EntryOfAMendedDriverIsUnexpected) {
   for (const Verdict verdict : {Verdict::Same, Verdict::Allowed}) {
     SceneResult result = resultOf(verdict, 0);
-    applyBaseline(baselineFor({"coverage"}), "driver", "Version 1.2", result);
+    applyBaseline(baselineFor({"coverage"}), "driver", "Version 1.2", "spec", result);
     EXPECT_EQ(result.baseline, BaselineStatus::Improved);
     EXPECT_TRUE(isUnexpected(result));
   }

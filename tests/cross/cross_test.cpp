@@ -51,7 +51,7 @@ class Drivers : public ::testing::Test {
     Result<SceneResult> result = harness::compare(scene, rules, *reference, *actual);
     EXPECT_TRUE(result) << scene.name;
     if (!result) return skipped;
-    applyBaseline(harness::builtInBaseline(), device.driver().name, device.driver().info, *result);
+    applyBaseline(harness::builtInBaseline(), device.driver().name, device.driver().info, rules.name, *result);
     return std::move(*result);
   }
 

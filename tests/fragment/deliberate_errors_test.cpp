@@ -21,6 +21,8 @@ Scene biased(float constantFactor, float slopeFactor, float clamp, PolygonMode m
 Scene outOfRange(bool bias) {
   Scene scene = coveringScene(8, 1, -0.5, 3.5, -0.5);
   useDepth(scene);
+  scene.viewport.minDepth = 0.25F;
+  scene.viewport.maxDepth = 0.75F;
   scene.state.depthClampEnable = true;
   scene.state.depthBiasEnable = bias;
   scene.state.depthBiasSlopeFactor = bias ? 1 : 0;
@@ -31,7 +33,7 @@ Scene outOfRange(bool bias) {
 Scene edge(Interpolation interpolation, uint32_t samples = 4) {
   Scene scene = testing::sceneOf({{0, 0}, {4.25, 0}, {4.25, 8}}, 8, samples);
   addVarying(scene, "x", interpolation, 1, {0, 4.25F, 4.25F});
-  scene.draws[0].varyings[0].offsetX = 0.25F;
+  if (interpolation == Interpolation::offset) scene.draws[0].varyings[0].offsetX = 0.25F;
   return scene;
 }
 

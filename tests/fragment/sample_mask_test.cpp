@@ -61,7 +61,7 @@ Scene alphaScene(float alpha, uint32_t samples = 4) {
 }
 
 TEST(AlphaToCoverage, OfZeroKeepsNothingAndOfOneEverything) {
-  for (const uint32_t samples : {1U, 2U, 4U, 8U, 16U}) {
+  for (const uint32_t samples : {2U, 4U, 8U, 16U}) {
     for (const auto& [alpha, kept] : {std::pair{-1.0F, false}, {0.0F, false}, {1.0F, true}, {2.0F, true}}) {
       for (const Rules& rules : {testing::referenceRules(), specificationRules()}) {
         const Frame frame = drawn(alphaScene(alpha, samples), rules);

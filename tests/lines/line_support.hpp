@@ -87,6 +87,10 @@ inline std::string sampleText(const Shape* shape, int32_t width, int32_t height,
   return text;
 }
 
+inline std::vector<SubpixelPosition> patternOf(uint32_t samples, const Rules& rules) {
+  return *samplePattern(samples, rules);
+}
+
 class Random {
  public:
   explicit Random(uint32_t seed) : engine_(seed) {}

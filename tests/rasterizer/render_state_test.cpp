@@ -10,7 +10,7 @@ namespace {
 
 using testing::Point;
 
-Frame draw(const Scene& scene) { return *render(scene, testing::referenceRules()); }
+Frame draw(const Scene& scene) { return render(scene, testing::referenceRules()).value(); }  // throws on an error
 std::string mask(const Scene& scene) { return testing::textMask(draw(scene)); }
 
 // Clockwise on the screen (y points down): Vulkan's area is negative.
@@ -88,8 +88,14 @@ TEST(RenderScissor, KeepsLeftAndTopAndDropsRightAndBottom) {
   EXPECT_EQ(mask(scene), "........\n........\n.###....\n.###....\n.###....\n.###....\n........\n........\n");
   scene.scissor = Rect2D{6, 7, 100, 100};
   EXPECT_EQ(mask(scene), "........\n........\n........\n........\n........\n........\n........\n......##\n");
-  scene.scissor = Rect2D{3, 3, 0, 5};
+  scene.scissor = Rect2D{8, 0, 5, 8};
   EXPECT_EQ(mask(scene), kEmpty);
+}
+
+TEST(RenderScissor, OfSizeZeroIsRefused) {
+  Scene scene = testing::sceneOf(kClockwise, 8);
+  scene.scissor = Rect2D{3, 3, 0, 5};
+  EXPECT_EQ(render(scene, testing::referenceRules()).error().where, "scissor.width");
 }
 
 TEST(RenderTopology, StripAndFanMakeTheirTriangles) {

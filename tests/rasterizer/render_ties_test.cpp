@@ -13,11 +13,11 @@ using testing::Point;
 std::string maskOf(const std::vector<Point>& points, TieOwner owner = TieOwner::TopLeft) {
   Rules rules = testing::referenceRules();
   rules.choices.tieOwner = owner;
-  return testing::textMask(*render(testing::sceneOf(points, 8), rules));
+  return testing::textMask(render(testing::sceneOf(points, 8), rules).value());
 }
 
 std::string countsOf(const Scene& scene, const Rules& rules = testing::referenceRules()) {
-  return testing::textCounts(*render(scene, rules));
+  return testing::textCounts(render(scene, rules).value());
 }
 
 const std::vector<Point> kSquare{{1.5, 1.5}, {5.5, 1.5}, {5.5, 5.5}, {1.5, 1.5}, {5.5, 5.5}, {1.5, 5.5}};

@@ -10,12 +10,6 @@ RASTERDIFF_ON_ALL_DRIVERS(DriverBuiltIns);
 /// [vk:primsrast-multisampling] the four standard locations, in pixels.
 constexpr float kSamples[4][2] = {{0.375F, 0.125F}, {0.875F, 0.375F}, {0.125F, 0.625F}, {0.625F, 0.875F}};
 
-Scene observing(std::vector<BuiltIn> builtIns, uint32_t samples) {
-  Scene scene = sceneOf(wholeTarget(), 8, 8, samples);
-  scene.builtIns = std::move(builtIns);
-  return scene;
-}
-
 TEST_P(DriverBuiltIns, FragCoordIsThePixelsCentreWithItsDepthAndOneOverW) {
   for (uint32_t samples : {1U, 4U}) {
     Scene scene = sceneOf({{0, 0, 0.5F, 2}, {16, 0, 0.5F, 2}, {0, 16, 0.5F, 2}}, 8, 8, samples);
@@ -65,34 +59,42 @@ TEST_P(DriverBuiltIns, PointCoordRunsFromTheUpperLeftOfThePoint) {
 }
 
 TEST_P(DriverBuiltIns, SampleMaskIsTheCoverageOfTheFragment) {
-  Scene scene = sceneOf({{-8, -8}, {4.5F, -8}, {4.5F, 24}, {-8, -8}, {4.5F, 24}, {-8, 24}}, 8, 8, 4);
+  // Unclipped, so that no driver cuts it into several fragments a pixel.
+  Scene scene = sceneOf({{0, 0}, {4.5F, 0}, {4.5F, 8}}, 8, 8, 4);
   scene.builtIns = {BuiltIn::SampleMask};
   const Frame frame = draw(scene);
-  EXPECT_EQ(frame.varyings[0].values.at(0, 7, 0), 15.0F);
-  EXPECT_EQ(frame.varyings[0].values.at(4, 7, 0), 5.0F);  // samples 0 and 2
-  EXPECT_EQ(frame.varyings[0].values.at(4, 7, 2), 5.0F);
-  EXPECT_EQ(frame.varyings[0].values.at(4, 7, 1), 0.0F);  // not drawn
+  EXPECT_EQ(frame.varyings[0].values.at(3, 1, 0), 15.0F);
+  EXPECT_EQ(frame.varyings[0].values.at(4, 1, 0), 5.0F);  // samples 0 and 2
+  EXPECT_EQ(frame.varyings[0].values.at(4, 1, 2), 5.0F);
+  EXPECT_EQ(frame.varyings[0].values.at(4, 1, 1), 0.0F);  // not drawn
+}
+
+/// A triangle that holds all of pixel (1, 1), unclipped.
+Scene aroundPixel(std::vector<BuiltIn> builtIns) {
+  Scene scene = sceneOf({{0, 0}, {8, 0}, {0, 8}}, 8, 8, 4);
+  scene.builtIns = std::move(builtIns);
+  return scene;
 }
 
 TEST_P(DriverBuiltIns, SampleIdAndPositionBelongToEachSample) {
-  const Frame frame = draw(observing({BuiltIn::SampleId, BuiltIn::SamplePosition, BuiltIn::SampleMask}, 4));
+  const Frame frame = draw(aroundPixel({BuiltIn::SampleId, BuiltIn::SamplePosition, BuiltIn::FragCoord}));
   for (uint32_t s = 0; s < 4; ++s) {
-    EXPECT_EQ(frame.varyings[0].values.at(6, 1, s), static_cast<float>(s));
-    EXPECT_EQ(frame.varyings[1].values.at(6, 1, s, 0), kSamples[s][0]);
-    EXPECT_EQ(frame.varyings[1].values.at(6, 1, s, 1), kSamples[s][1]);
-    EXPECT_EQ(frame.varyings[2].values.at(6, 1, s), static_cast<float>(1U << s));  // of this invocation
-    EXPECT_EQ(frame.count.at(6, 1, s), 1U);
+    EXPECT_EQ(frame.varyings[0].values.at(1, 1, s), static_cast<float>(s));
+    for (uint32_t c = 0; c < 2; ++c) {
+      EXPECT_EQ(frame.varyings[1].values.at(1, 1, s, c), kSamples[s][c]);
+      EXPECT_EQ(frame.varyings[2].values.at(1, 1, s, c), 1 + kSamples[s][c]);
+    }
+    EXPECT_EQ(frame.count.at(1, 1, s), 1U);
   }
 }
 
 TEST_P(DriverBuiltIns, OnlySampleIdAndPositionForceSampleShading) {
-  for (const BuiltIn builtIn : {BuiltIn::FragCoord, BuiltIn::FrontFacing, BuiltIn::SampleMask, BuiltIn::SampleId,
-                                BuiltIn::SamplePosition}) {
-    Scene scene = observing({builtIn}, 4);
-    scene.draws.front().varyings = {{"x", Interpolation::smooth, 1, {0, 16, 0}}};
-    const Plane<float> x = draw(scene).varyings[0].values;
+  for (const BuiltIn builtIn : {BuiltIn::FragCoord, BuiltIn::FrontFacing, BuiltIn::SampleId, BuiltIn::SamplePosition}) {
+    const Frame frame = draw(aroundPixel({builtIn, BuiltIn::SampleMask}));
     const bool forces = builtIn == BuiltIn::SampleId || builtIn == BuiltIn::SamplePosition;
-    EXPECT_EQ(x.at(3, 3, 0) != x.at(3, 3, 1), forces) << static_cast<int>(builtIn);
+    for (uint32_t s = 0; s < 4; ++s) {  // the mask of an invocation has the samples that it shades
+      EXPECT_EQ(frame.varyings[1].values.at(1, 1, s), forces ? static_cast<float>(1U << s) : 15.0F);
+    }
   }
 }
 

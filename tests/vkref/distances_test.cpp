@@ -53,7 +53,7 @@ TEST_P(DriverDistances, BothKindsWorkTogetherWithPointsLinesAndVaryings) {
     Draw& draw1 = scene.draws.front();
     draw1.varyings = {constantVarying("a", 6, {1, 2, 3}), constantVarying("b", 6, {4})};
     draw1.clipDistanceCount = draw1.cullDistanceCount = 4;
-    draw1.clipDistances = distances(4, 2, {-4, 12, -4, -1, -1, 3});
+    draw1.clipDistances = distances(4, 2, {-4, 12, -4, -1.5F, -1.5F, 2.5F});
     draw1.cullDistances = distances(4, 3, {1, 1, 1, 1, 1, 1});
     const Frame frame = draw(scene);
     uint32_t covered = 0;
