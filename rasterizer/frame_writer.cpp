@@ -1,5 +1,6 @@
 #include "rasterizer/frame_writer.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -27,6 +28,11 @@ State withError(State state, DeliberateError error) {
   return state;
 }
 
+// `widen`: what was legal before stays legal.
+void set(Bounds& bounds, const Bounds& written, bool widen) {
+  bounds = widen ? Bounds{std::min(bounds.lo, written.lo), std::max(bounds.hi, written.hi)} : written;
+}
+
 uint32_t maskUnder(const State& state, uint32_t samples, DeliberateError error) {
   const uint32_t all = (1U << samples) - 1;
   if (error == DeliberateError::SampleMaskIgnored) return all;
@@ -38,7 +44,8 @@ uint32_t maskUnder(const State& state, uint32_t samples, DeliberateError error) 
 FrameWriter::FrameWriter(const Scene& scene, const SceneNeeds& needs, const Rules& rules,
                          std::vector<SubpixelPosition> pattern, RuleCounts& counts)
     : state_(withError(scene.state, rules.error)), error_(rules.error), pattern_(std::move(pattern)), counts_(counts),
-      sampleMask_(maskUnder(scene.state, scene.target.samples, rules.error)), open_(rules.open), resolve_(scene.target.resolve) {
+      sampleMask_(maskUnder(scene.state, scene.target.samples, rules.error)), open_(rules.open),
+      openValues_(rules.openValues()), resolve_(scene.target.resolve) {
   const auto [width, height, samples] = std::array{scene.target.width, scene.target.height, scene.target.samples};
   masks_ = sampleMask_ != (1U << samples) - 1;
   const bool hasVaryings = !scene.draws.empty() && !scene.draws[0].varyings.empty();
@@ -151,15 +158,17 @@ bool FrameWriter::passesDepth(size_t index, float fragment) {
 }
 
 void FrameWriter::writeSample(uint32_t primitive, size_t index, const Interpolated* depth, const Interpolated* values) {
+  uint32_t& winner = frame_.primitive.data[index];
+  // Edges of one triangle may overlap, and which of them is drawn last is not stated.
+  const bool again = winner == primitive && openValues_;
   if (depth != nullptr && state_.depthTestEnable) {
     if (!passesDepth(index, depth->value)) return;
     // [vk:fragops-depth] without the depth test, depth is not written either.
     if (state_.depthWriteEnable) {
       frame_.depth->data[index] = depth->value;
-      frame_.depthBounds->data[index] = depth->bounds;
+      set(frame_.depthBounds->data[index], depth->bounds, again);
     }
   }
-  uint32_t& winner = frame_.primitive.data[index];
   ++frame_.count.data[index];
   if (winner != 0) {
     ++counts_[Rule::Order];
@@ -170,7 +179,7 @@ void FrameWriter::writeSample(uint32_t primitive, size_t index, const Interpolat
     const size_t components = plane.values.components;
     for (size_t c = 0; c < components; ++c) {
       plane.values.data[index * components + c] = values->value;
-      plane.bounds->data[index * components + c] = values->bounds;
+      set(plane.bounds->data[index * components + c], values->bounds, again);
       ++values;
     }
   }

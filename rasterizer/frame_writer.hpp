@@ -43,7 +43,7 @@ class FrameWriter {
   std::vector<RowSpan> masked_;
   uint32_t sampleMask_ = 0;    ///< bits of the samples there are
   bool masks_ = false;         ///< some sample is masked out
-  bool alpha_ = false, open_ = false, resolve_ = false;
+  bool alpha_ = false, open_ = false, openValues_ = false, resolve_ = false;
   size_t varyings_ = 0;        ///< planes that are varyings; built-ins follow
 };
 

@@ -87,7 +87,7 @@ bool PieceValues::setUpCurrent(const Primitive& primitive, const SetupTriangle* 
   piece_ = piece;
   figure_ = figure;
   atPoint_ = figure != nullptr && figure->kind == Figure::Kind::Point;
-  centreDepth_ = false;
+  freeDepth_ = false;
   alternative_.reset();
   return needsDepth_ || componentCount() > 0;
 }
@@ -239,8 +239,7 @@ void PieceValues::setUpLine(const Figure& figure) {
     alternative_->inputs.resize(components_.size());
     fill(*alternative_, figure.a, figure.b, parallelogram ? LineParameter::Projection : LineParameter::Replicated);
   }
-  // [vk:primsrast-lines-bresenham] samples may be treated as being at the centre.
-  centreDepth_ = kind != LineKind::Rectangle && location_.samples() > 1;
+  freeDepth_ = location_.samples() > 1;
 }
 
 void PieceValues::setFigureBias(const Figure& figure) {
@@ -292,9 +291,12 @@ Interval PieceValues::depthOver(const EvaluationRegion& region) const {
 Interpolated PieceValues::depth(double x, double y) const {
   const EvaluationRegion there{{x, y}, {}};
   if (figure_ == nullptr && depthStage_.isPlain()) return toFloat(linearOver(planes_.depth, there));
-  if (!centreDepth_) return depthStage_.stored(depthOver(there));
-  const Spot centre{std::floor(x) + 0.5, std::floor(y) + 0.5};
-  return depthStage_.stored(depthOver({{x, y}, std::span(&centre, 1)}));
+  if (!freeDepth_) return depthStage_.stored(depthOver(there));
+  // [vk:primsrast-lines-basic] a line's data are evaluated at the centre or at a sample of the fragment.
+  const FragmentPlace place{static_cast<int32_t>(std::floor(x)), static_cast<int32_t>(std::floor(y)), 0, 0};
+  std::array<Spot, 17> spots{centreOf(place)};
+  for (uint32_t s = 0; s < location_.samples(); ++s) spots[s + 1] = sampleOf(place, s, location_.pattern());
+  return depthStage_.stored(depthOver({{x, y}, std::span<const Spot>(spots).first(location_.samples() + 1)}));
 }
 
 EvaluationRegion PieceValues::regionOf(const Component& component, const FragmentPlace& place) {

@@ -81,7 +81,8 @@ class PieceValues {
   ValuePlanes planes_;
   std::vector<float> constants_;           ///< of flat components, and of all components at a point
   std::optional<ValuePlanes> alternative_; ///< another legal parameter of a line (open rules)
-  bool atPoint_ = false, centreDepth_ = false;
+  bool atPoint_ = false;
+  bool freeDepth_ = false;  ///< a line's depth may be that of the centre or of any sample
   const Primitive* primitive_ = nullptr;
   const SetupTriangle* piece_ = nullptr;
   const Figure* figure_ = nullptr;

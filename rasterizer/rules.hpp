@@ -64,7 +64,7 @@ enum class DepthBiasUnit : uint8_t {
 
 // Choices whose nominal answer is the same in every profile; open rules compute the others as intervals:
 // [choice:attribute-position]  undecorated inputs of multisampled fragments: at the centre
-// [choice:offset-rounding]     interpolateAtOffset: the offset rounded to subPixelInterpolationOffsetBits
+// [choice:offset-rounding]     interpolateAtOffset: the offset is not rounded
 // [choice:line-interpolation]  along a line: by projection on it
 // [choice:line-bias]           depth bias of lines and points: none
 // [choice:alpha-to-coverage]   which samples a fractional alpha covers: any

@@ -104,20 +104,18 @@ void BuiltInValues::fragCoord(const FragmentPlace& place, const AttributeLocatio
   const Spot nominal = nominalSpot(place, location);
   Interval x{nominal.x, nominal.x, nominal.x}, y{nominal.y, nominal.y, nominal.y};
   if (rules_.openValues() && !shading_.certain) {
-    // With sample shading at one of the samples of the invocation, without at the centre.
-    const Spot first = shading_.enabled ? sampleOf(place, place.sample, location.pattern()) : centreOf(place);
-    x.lo = x.hi = first.x;
-    y.lo = y.hi = first.y;
-    const auto include = [&](const Spot& spot) {
+    // With sample shading at one of the samples of the invocation, and which samples those are is free; without, at the
+    // centre, which lies between the samples.
+    const auto include = [&](uint32_t sample) {
+      const Spot spot = sampleOf(place, sample, location.pattern());
       x = {x.value, std::min(x.lo, spot.x), std::max(x.hi, spot.x)};
       y = {y.value, std::min(y.lo, spot.y), std::max(y.hi, spot.y)};
     };
-    if (!shading_.enabled) include(sampleOf(place, place.sample, location.pattern()));
-    for (uint32_t s = 0; shading_.enabled && s < location.samples(); ++s) {
-      if ((place.covered & (1U << s)) != 0) include(sampleOf(place, s, location.pattern()));
-    }
-    x.value = std::clamp(x.value, x.lo, x.hi);
-    y.value = std::clamp(y.value, y.lo, y.hi);
+    const Spot centre = centreOf(place);
+    x.lo = x.hi = centre.x;
+    y.lo = y.hi = centre.y;
+    if (!shading_.enabled) include(place.sample);
+    for (uint32_t s = 0; shading_.enabled && s < location.samples(); ++s) include(s);
   }
   if (rules_.error == DeliberateError::FragCoordInteger) {
     x.value = place.x;
@@ -150,12 +148,15 @@ Interpolated BuiltInValues::sampleMask(const FragmentPlace& place, const Attribu
   const uint32_t own = 1U << place.sample, all = (1U << location.samples()) - 1;
   uint32_t mask = shading_.perSample ? own : (place.covered & all) | own;
   uint32_t certain = mask, possible = mask;
+  if (rules_.openValues() && !shading_.certain) {
+    // An invocation shades this sample, and perhaps others of the fragment.
+    certain = own;
+    possible = (place.covered & all) | own;
+  }
   if (rules_.open && !(shading_.enabled && shading_.certain)) {
     const CoverageFreedom::Masks masks = coverage_.masks(place, location.pattern());
-    certain = shading_.certain ? (masks.certain & sampleMask_) | own : own;
-    possible = (masks.possible & sampleMask_ & all) | own;
-    certain &= mask;
-    possible |= mask;
+    certain &= masks.certain | own;
+    possible |= masks.possible & sampleMask_ & all;
   }
   if (mask != all) count(Rule::CoverageMask);
   if (rules_.error == DeliberateError::SampleMaskInFull) mask = all;

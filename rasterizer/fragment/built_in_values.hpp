@@ -18,7 +18,7 @@ class BuiltInValues {
   [[nodiscard]] bool observe(BuiltIn builtIn) const;
   /// Values differ between the samples of a fragment.
   [[nodiscard]] bool perSample() const { return any() && shading_.perSample; }
-  [[nodiscard]] bool needsMask() const { return any() && (observe(BuiltIn::SampleMask) || shading_.enabled); }
+  [[nodiscard]] bool needsMask() const { return observe(BuiltIn::SampleMask); }
 
   void setUp(const Primitive& primitive, const SetupTriangle& piece);
   void setUp(const Primitive& primitive, const Figure& figure);

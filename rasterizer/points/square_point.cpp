@@ -76,6 +76,8 @@ std::unique_ptr<Shape> makePointShape(const ClipPosition& position, const Raster
       // The centre snapped like a vertex, the side in whole subpixels and at least a pixel, its half rounded down.
       const auto side = std::max<int64_t>(kSubpixelOne, static_cast<int64_t>(std::nearbyint(double{size.requested} * kSubpixelOne)));
       result.nominal = {snapped - side / 2, snapped - side / 2 + side};
+    } else if (stage.rules.error == DeliberateError::PointRounded) {
+      result.nominal = {snapped - static_cast<int64_t>(half), snapped + static_cast<int64_t>(std::ceil(half))};
     } else {
       result.nominal = {ceilingExactly(coordinate, position.w, viewportAxis, -half),
                         ceilingExactly(coordinate, position.w, viewportAxis, half)};

@@ -94,16 +94,11 @@ void addDepthBias(Entries& entries) {
     draw(scene, rectangle(4, 34, 60, 60, 0.25));
     return scene;
   });
-  family.add("lines", "lines may be biased or not", {"R37", "R38"}, [] {
-    Scene scene = biased(D32_SFLOAT, 4);
-    useLines(scene, LineRasterizationMode::RECTANGULAR);
-    draw(scene, {{4.5, 4.5, 0.25}, {60.5, 20.5, 0.75}, {4.5, 30.5, 0.5}, {60.5, 30.5, 0.5}});
-    return scene;
-  });
-  family.add("points", "points may be biased or not", {"R37", "R38"}, [] {
-    Scene scene = biased(D32_SFLOAT, 4);
-    usePoints(scene, 5);
-    draw(scene, {{10.5, 10.5, 0.25}, {30.5, 10.5, 0.5}, {50.5, 10.5, 0.75}});
+  family.add("wireframe", "the edges of triangles are biased like the triangles", {"R34", "R37", "R38"}, [] {
+    Scene scene = biased(D32_SFLOAT, 1000);
+    scene.state.polygonMode = PolygonMode::LINE;
+    draw(scene, rectangle(4.5, 4.5, 60.5, 30.5, 0.25));
+    draw(scene, rectangle(4.5, 34.5, 60.5, 60.5, 0.75));
     return scene;
   });
 }

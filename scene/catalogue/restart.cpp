@@ -1,4 +1,4 @@
-// Primitive restart: an index of all ones ends a strip, fan or list. [vk:drawing-primitive-restart]
+// Primitive restart: an index of all ones ends a strip, fan or list. [vk:VkPipelineInputAssemblyStateCreateInfo]
 #include "scene/catalogue/build.hpp"
 
 namespace rasterdiff::families {

@@ -61,6 +61,15 @@ TEST_P(DriverRestart, AFanAndALineStripBeginAnew) {
   EXPECT_EQ(lines.primitive.at(5, 0, 0), 0U);  // no line from piece to piece
 }
 
+TEST_P(DriverRestart, AListDropsThePrimitiveThatARestartCutsShort) {
+  const Scene scene = squares(PrimitiveTopology::TRIANGLE_LIST, {0, 1, kRestart, 4, 5, 6, kRestart, 0, 1, 2});
+  const bool offered = caps().features.listRestart.primitiveTopologyListRestart;
+  const std::optional<Frame> frame = drawIf(offered, scene, "draws[0].indices");
+  if (!frame) return;
+  EXPECT_EQ(valueOf(*frame, 1), 4.0F);
+  EXPECT_EQ(valueOf(*frame, 2), 0.0F);
+}
+
 TEST_P(DriverRestart, WithoutRestartTheStripGoesOn) {
   Scene scene = squares(PrimitiveTopology::TRIANGLE_STRIP, {0, 1, 2, 3, 4, 5, 6, 7});
   scene.state.primitiveRestartEnable = false;
