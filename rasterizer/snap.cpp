@@ -12,7 +12,8 @@ namespace {
 // Doubles are trusted to decide when they are at least this far (relative to the grid value + 1) from a decision point.
 constexpr double kTrust = 0x1p-40;
 
-double clampToGuardBand(double pixels) { return std::clamp(pixels, -kGuardBand, kGuardBand); }
+// NaN goes to the far end: it is no number that could become an integer.
+double clampToGuardBand(double pixels) { return pixels > -kGuardBand ? std::min(pixels, kGuardBand) : -kGuardBand; }
 
 int32_t toSubpixels(double gridValue, int bits) {
   return static_cast<int32_t>(gridValue) * (1 << (kSubpixelBits - bits));
@@ -109,8 +110,7 @@ int32_t snapFloat(const Rules& rules, uint32_t samples, float pixels) {
   const float unit = std::ldexp(1.0F, bits);
   const bool centre = rules.choices.snapOrigin == SnapOrigin::CentreAtOneSample && samples == 1;
   const float shifted = centre ? pixels - 0.5F : pixels;
-  const float limit = static_cast<float>(kGuardBand);
-  const float scaled = std::clamp(shifted, -limit, limit) * unit;
+  const float scaled = static_cast<float>(clampToGuardBand(shifted)) * unit;
   const double grid = roundTo(scaled, roundingOf(rules));
   return toSubpixels(grid, bits) + (centre ? kSubpixelOne / 2 : 0);
 }

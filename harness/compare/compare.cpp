@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <optional>
 #include <span>
 
 #include "harness/compare/legal_outcomes.hpp"
@@ -51,10 +52,16 @@ class Comparison {
         const auto pixel = static_cast<uint32_t>(i / samples);
         const SampleQuery place{pixel % static_cast<uint32_t>(width), pixel / static_cast<uint32_t>(width),
                                 static_cast<uint32_t>(i % samples)};
-        if (winner == actual_.primitive.data[i]) compareValues(place, i, winner != 0);
+        if (winner == actual_.primitive.data[i]) {
+          if (winner != 0 && mayOverlapItself() && !valuesFit(i)) {
+            overlaps_.push_back(place);
+          } else {
+            compareValues(place, i, winner != 0);
+          }
+        }
         if (!same) queries_.push_back(place);
       }
-      if (queries_.size() == kQueriesAtOnce) {
+      if (queries_.size() == kQueriesAtOnce || overlaps_.size() == kQueriesAtOnce) {
         if (Result<void> judged = judgeQueries(); !judged) return tl::unexpected<Error>(judged.error());
       }
     }
@@ -65,8 +72,48 @@ class Comparison {
   }
 
  private:
-  void compareValues(const SampleQuery& place, size_t index, bool drawn) {
-    size_t plane = 0;
+  // Lines and points that outline one triangle may cover a sample together, and which of them do is a freedom.
+  [[nodiscard]] bool mayOverlapItself() const { return rules_.openValues() && scene_.state.polygonMode != PolygonMode::FILL; }
+
+  [[nodiscard]] bool valuesFit(size_t index) const {
+    const auto fits = [](float actual, Bounds legal) { return actual >= legal.lo && actual <= legal.hi; };
+    if (reference_.depth && !fits(actual_.depth->data[index], reference_.depthBounds->data[index])) return false;
+    for (size_t v = 0; v < reference_.varyings.size(); ++v) {
+      const size_t components = reference_.varyings[v].values.components;
+      for (size_t at = index * components; at < (index + 1) * components; ++at) {
+        if (!fits(actual_.varyings[v].values.data[at], reference_.varyings[v].bounds->data[at])) return false;
+      }
+    }
+    return true;
+  }
+
+  static Bounds hull(Bounds a, Bounds b) { return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)}; }
+
+  // All that the parts of one primitive that may cover a sample allow there; none if no part may.
+  static std::optional<Candidate> merged(const std::vector<Candidate>& candidates, uint32_t primitive) {
+    std::optional<Candidate> all;
+    for (const Candidate& candidate : candidates) {
+      if (candidate.primitive != primitive) continue;
+      if (!all) {
+        all = candidate;
+        continue;
+      }
+      all->depth = hull(all->depth, candidate.depth);
+      for (size_t c = 0; c < all->varyings.size(); ++c) all->varyings[c] = hull(all->varyings[c], candidate.varyings[c]);
+    }
+    return all;
+  }
+
+  // Values of a sample that several parts of its winner may cover: judged against all of them.
+  void compareOverlap(const SampleQuery& place, const std::vector<Candidate>& candidates) {
+    const size_t index = reference_.primitive.index(place.x, place.y, place.sample);
+    const std::optional<Candidate> all = merged(candidates, reference_.primitive.data[index]);
+    compareValues(place, index, true, all ? &*all : nullptr);
+  }
+
+  // `also`: what else is legal.
+  void compareValues(const SampleQuery& place, size_t index, bool drawn, const Candidate* also = nullptr) {
+    size_t plane = 0, flattened = 0;
     const auto compareOne = [&](uint32_t component, float expected, float actual, Bounds legal) {
       const ValueAccumulator::Place at{place.x, place.y, place.sample, component};
       if (drawn) {
@@ -76,16 +123,18 @@ class Comparison {
       }
     };
     if (reference_.depth) {
-      compareOne(0, reference_.depth->data[index], actual_.depth->data[index], reference_.depthBounds->data[index]);
+      const Bounds legal = reference_.depthBounds->data[index];
+      compareOne(0, reference_.depth->data[index], actual_.depth->data[index], also ? hull(legal, also->depth) : legal);
       ++plane;
     }
     for (size_t v = 0; v < reference_.varyings.size(); ++v, ++plane) {
       const VaryingPlane& expected = reference_.varyings[v];
       const size_t components = expected.values.components;
-      for (size_t c = 0; c < components; ++c) {
+      for (size_t c = 0; c < components; ++c, ++flattened) {
         const size_t at = index * components + c;
+        const Bounds legal = expected.bounds->data[at];
         compareOne(static_cast<uint32_t>(c), expected.values.data[at], actual_.varyings[v].values.data[at],
-                   expected.bounds->data[at]);
+                   also ? hull(legal, also->varyings[flattened]) : legal);
       }
     }
   }
@@ -135,11 +184,22 @@ class Comparison {
   }
 
   Result<void> judgeQueries() {
-    if (queries_.empty()) return {};
-    const auto evidence = rasterizer::candidates(scene_, rules_, queries_);
+    Result<void> judged = withEvidence(queries_, [&](const SampleQuery& place, const std::vector<Candidate>& evidence) {
+      judge(place, evidence);
+    });
+    if (!judged) return judged;
+    return withEvidence(overlaps_, [&](const SampleQuery& place, const std::vector<Candidate>& evidence) {
+      compareOverlap(place, evidence);
+    });
+  }
+
+  template <class Judge>
+  Result<void> withEvidence(std::vector<SampleQuery>& queries, const Judge& judgeOne) {
+    if (queries.empty()) return {};
+    const auto evidence = rasterizer::candidates(scene_, rules_, queries);
     if (!evidence) return tl::unexpected<Error>(evidence.error());
-    for (size_t q = 0; q < queries_.size(); ++q) judge(queries_[q], (*evidence)[q]);
-    queries_.clear();
+    for (size_t q = 0; q < queries.size(); ++q) judgeOne(queries[q], (*evidence)[q]);
+    queries.clear();
     return {};
   }
 
@@ -163,7 +223,7 @@ class Comparison {
       ++result_.allowed;
       ++result_.freedoms[d.reason];
       if (outcome.winner != nullptr && d.actualPrimitive != d.expectedPrimitive) {
-        compareOtherWinner(place, index, *outcome.winner);
+        compareOtherWinner(place, index, *merged(candidates, outcome.winner->primitive));
       }
     } else {
       d.verdict = Verdict::Differs;
@@ -222,7 +282,8 @@ class Comparison {
   SceneResult result_;
   Bounds clearDepth_;
   std::vector<ValueAccumulator> values_;  // depth, varyings, built-ins, resolved planes
-  std::vector<SampleQuery> queries_;
+  std::vector<SampleQuery> queries_;   // winner or count is another
+  std::vector<SampleQuery> overlaps_;  // values are others, and another part of the winner may be there
   std::vector<SampleDifference> differing_, allowed_;
 };
 

@@ -22,15 +22,19 @@ struct Corner {
   long double x, y;
 };
 
-/// A device: ends somewhere in their boxes, an outline from them in real numbers, each corner moved to a neighbouring
-/// point of the grid (or not at all).
+/// A device: ends somewhere in their boxes, an outline along a direction that it may compute from other places of them,
+/// in real numbers, and each corner moved to a neighbouring point of the grid of `step` / 256 pixel (or not at all).
 class Device {
  public:
-  Device(const RasterVertex& a, const RasterVertex& b, double width, bool rectangular, Random& random) {
-    const auto place = [&](int32_t low, int32_t high) { return low + random.below(4 * (high - low) + 1) / 4.0L; };
-    const Corner p{place(a.lowest.x, a.highest.x), place(a.lowest.y, a.highest.y)};
-    const Corner q{place(b.lowest.x, b.highest.x), place(b.lowest.y, b.highest.y)};
-    const long double dx = q.x - p.x, dy = q.y - p.y, length = std::sqrt(dx * dx + dy * dy);
+  Device(const RasterVertex& a, const RasterVertex& b, double width, bool rectangular, int32_t step, Random& random) {
+    const auto place = [&](const RasterVertex& v) {
+      const auto within = [&](int32_t low, int32_t high) { return low + random.below(4 * (high - low) + 1) / 4.0L; };
+      return Corner{within(v.lowest.x, v.highest.x), within(v.lowest.y, v.highest.y)};
+    };
+    const Corner p = place(a), q = place(b);
+    const bool elsewhere = rectangular && random.below(2) == 0;
+    const Corner from = elsewhere ? place(a) : p, to = elsewhere ? place(b) : q;
+    const long double dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
     if (length == 0) return;
     const long double half = width * 128;
     Corner n{-dy / length * half, dx / length * half};
@@ -40,15 +44,15 @@ class Device {
     const int mode = random.below(3);
     for (Corner& corner : outline_) {
       for (long double* coordinate : {&corner.x, &corner.y}) {
-        if (mode == 0 || std::fabs(*coordinate - std::round(*coordinate)) < 1e-9L) continue;
-        *coordinate = mode == 1              ? std::round(*coordinate)
-                      : random.below(2) == 0 ? std::floor(*coordinate)
-                                             : std::ceil(*coordinate);
+        const long double units = *coordinate / step;
+        if (mode == 0 || std::fabs(units - std::round(units)) < 1e-9L) continue;
+        const bool down = mode == 1 ? units - std::floor(units) < 0.5L : random.below(2) == 0;
+        *coordinate = step * (down ? std::floor(units) : std::ceil(units));
       }
     }
   }
 
-  /// Signed distance-like value: > 0 inside; ties and rounding of this test lie within ±1e-9.
+  /// Distance to the nearest edge, > 0 inside; ties and rounding of this test lie within ±1e-9.
   [[nodiscard]] long double inside(int64_t px, int64_t py) const {
     if (outline_.empty()) return -1;
     long double least = 1e30L;
@@ -56,7 +60,8 @@ class Device {
       const Corner &from = outline_[i], &to = outline_[(i + 1) % 4];
       const long double length = std::hypot(to.x - from.x, to.y - from.y);
       if (length == 0) return -1;
-      least = std::min(least, ((to.x - from.x) * (py - from.y) - (to.y - from.y) * (px - from.x)) / length);
+      const auto x = static_cast<long double>(px), y = static_cast<long double>(py);
+      least = std::min(least, ((to.x - from.x) * (y - from.y) - (to.y - from.y) * (x - from.x)) / length);
     }
     return least;
   }
@@ -73,13 +78,14 @@ Tally compareWithDevices(bool rectangular, uint32_t seed) {
   Random random(seed);
   Limits limits = wideLimits();
   limits.strictLines = rectangular;
-  const Rules rules = rulesOf("spec", limits);
   Tally tally;
   for (int i = 0; i < 600; ++i) {
-    const int32_t extent = i % 3 == 0 ? 1 : 6;
+    const int32_t extent = i % 3 == 0 ? 1 : 6, step = i % 2 == 0 ? 1 : 16;
+    limits.subPixelPrecisionBits = step == 1 ? 8 : 4;
+    const Rules rules = rulesOf("spec", limits);
     const auto vertex = [&] {
-      const SubpixelPosition size{random.below(2) * random.below(3), random.below(2) * random.below(3)};
-      return boxedVertex({random.onGrid(1, extent) + 512, random.onGrid(1, extent) + 512}, size);
+      const SubpixelPosition size{random.below(2) * random.below(3) * step, random.below(2) * random.below(3) * step};
+      return boxedVertex({random.onGrid(step, extent) + 512, random.onGrid(step, extent) + 512}, size);
     };
     const RasterVertex a = vertex(), b = vertex();
     const float width = std::array{1.0F, 2.0F, 3.0F, 1.2578125F, 4.5F}[static_cast<size_t>(random.below(5))];
@@ -87,7 +93,7 @@ Tally compareWithDevices(bool rectangular, uint32_t seed) {
     const auto band = rectangular ? rectangleBand(a, b, style, rules) : parallelogramBand(a, b, style, rules);
     if (!band) continue;
     std::vector<Device> devices;
-    for (int d = 0; d < 40; ++d) devices.emplace_back(a, b, width, rectangular, random);
+    for (int d = 0; d < 40; ++d) devices.emplace_back(a, b, width, rectangular, step, random);
     for (int k = 0; k < 60; ++k) {
       const int64_t px = random.below((extent + 4) * 256), py = random.below((extent + 4) * 256);
       const LineReach reach(a.snapped, b.snapped, band->reach());
@@ -136,6 +142,18 @@ TEST(RectangleBand, IsAsNarrowAsASubpixelOrTwo) {
     }
   }
   EXPECT_GT(in, 100 * either / 4) << "the band is a few subpixels of three pixels";
+}
+
+// A device may take the direction from unsnapped ends and the position from snapped ones.
+TEST(RectangleBand, ShortWideLinesMayBeTurned) {
+  LineEnds ends = endsOf(40, 40, 41, 40);
+  ends.a.highest.y += 1;
+  ends.b.highest.y += 1;
+  const auto shape = makeLineShape(ends, styleOf(Mode::RECTANGULAR, 40), rulesOf("spec"));
+  // 19.5 pixels aside, a turn by 1/256 moves the end by 19.5 / 256 pixel, and another one for the ends' own places.
+  EXPECT_EQ(shape->classify(40 * 256 - 35, 59 * 256 + 128).coverage, Coverage::Either);
+  EXPECT_EQ(shape->classify(40 * 256 - 80, 59 * 256 + 128).coverage, Coverage::Out);
+  EXPECT_EQ(shape->classify(40 * 256 + 128, 59 * 256 + 128).coverage, Coverage::In);
 }
 
 TEST(LineBands, NameTheirFreedoms) {
@@ -195,7 +213,7 @@ TEST(BresenhamBand, HoldsAllFragmentsOfAllPlacementsAndTheirNeighbours) {
   for (int i = 0; i < 300; ++i) {
     const auto vertex = [&] {
       return boxedVertex({random.onGrid(i % 2 == 0 ? 64 : 1, 8) + 1024, random.onGrid(i % 2 == 0 ? 64 : 1, 8) + 1024},
-                         {random.below(2), random.below(2)});
+                         {16 * random.below(2), 16 * random.below(2)});
     };
     LineEnds ends;
     ends.a = vertex();
