@@ -14,10 +14,6 @@ namespace {
 // Of a polygon that nine planes and the four sides of a pixel may have cut.
 constexpr size_t kMostCorners = 32;
 
-double weighted(const std::array<double, 3>& weights, const std::array<double, 3>& values) {
-  return weights[0] * values[0] + weights[1] * values[1] + weights[2] * values[2];
-}
-
 double reciprocalWError(const RasterVertex& v) { return std::fabs(v.reciprocalW) * (kHalfUlp + v.relativeWError); }
 
 // |z| of the vertices as far as it is known: what the exponent of a float depth bias comes from.
@@ -32,54 +28,19 @@ Interval largestDepth(const RasterVertex* const* vertices, size_t count) {
 
 }  // namespace
 
-PieceValues::Component PieceValues::componentOf(const Varying& varying, const Rules& rules) {
-  Component component;
-  component.stride = varying.components;
-  switch (varying.interpolation) {
-    case Interpolation::flat: component.kind = Kind::Flat; return component;
-    case Interpolation::noperspective:
-      component.kind = rules.error == DeliberateError::PerspectiveOnLinear ? Kind::Perspective : Kind::Linear;
-      return component;
-    case Interpolation::smooth: break;
-    case Interpolation::centroid: component.location = Location::Centroid; break;
-    case Interpolation::sample: component.location = Location::Sample; break;
-    case Interpolation::offset:
-      component.location = Location::Offset;
-      component.offset = evaluationOffset(varying.offsetX, varying.offsetY, rules);
-      break;
-  }
-  component.kind = rules.error == DeliberateError::MissingPerspective ? Kind::Linear : Kind::Perspective;
-  return component;
-}
-
 PieceValues::PieceValues(const Scene& scene, const SceneNeeds& needs, const Rules& rules, RuleCounts* counts)
     : needs_(needs), rules_(rules), state_(scene.state), counts_(counts),
       location_(samplePattern(scene.target.samples, rules).value_or(std::vector<SubpixelPosition>{}), rules),
-      builtIns_(scene, rules, counts), depthStage_(scene, rules, counts) {
-  if (scene.draws.empty()) return;
+      inputs_(scene, rules), builtIns_(scene, rules, counts), depthStage_(scene, rules, counts) {
   const bool multisampled = scene.target.samples > 1;
-  bool atOffset = false;
-  for (size_t v = 0; v < scene.draws[0].varyings.size(); ++v) {
-    const Varying& varying = scene.draws[0].varyings[v];
-    Component component = componentOf(varying, rules);
-    component.varying = v;
-    for (uint32_t c = 0; c < varying.components; ++c) {
-      component.component = c;
-      components_.push_back(component);
-    }
-    anyPerspective_ = anyPerspective_ || component.kind == Kind::Perspective;
-    perSample_ = perSample_ || (multisampled && component.location == Location::Sample);
-    needsMask_ = needsMask_ || (multisampled && component.location == Location::Centroid);
-    atOffset = atOffset || component.location == Location::Offset;
-  }
-  perSample_ = perSample_ || builtIns_.perSample();
-  needsMask_ = needsMask_ || builtIns_.needsMask();
-  needsW_ = anyPerspective_ || builtIns_.observe(BuiltIn::FragCoord);
+  perSample_ = (multisampled && inputs_.anyAt(Location::Sample)) || builtIns_.perSample();
+  needsMask_ = (multisampled && inputs_.anyAt(Location::Centroid)) || builtIns_.needsMask();
+  needsW_ = inputs_.anyPerspective() || builtIns_.observe(BuiltIn::FragCoord);
   needsDepth_ = needs.depth || builtIns_.observe(BuiltIn::FragCoord);
   // Undecorated inputs of a multisampled fragment may be evaluated outside the triangle, within its pixel.
-  outside_ = multisampled || atOffset ? 1 : 0;
-  planes_.inputs.resize(components_.size());
-  constants_.resize(components_.size());
+  outside_ = multisampled || inputs_.anyAt(Location::Offset) ? 1 : 0;
+  planes_.inputs.resize(inputs_.size());
+  constants_.resize(inputs_.size());
 }
 
 bool PieceValues::setUpCurrent(const Primitive& primitive, const SetupTriangle* piece, const Figure* figure) {
@@ -92,59 +53,29 @@ bool PieceValues::setUpCurrent(const Primitive& primitive, const SetupTriangle* 
   return needsDepth_ || componentCount() > 0;
 }
 
-template <size_t kCorners, class Make>
-void PieceValues::fillPlanes(const std::array<const RasterVertex*, kCorners>& vertices, ValuePlanes& planes,
+template <size_t kVertices, class Make>
+void PieceValues::fillPlanes(const std::array<const RasterVertex*, kVertices>& vertices, ValuePlanes& planes,
                              const Make& make) {
-  std::array<double, kCorners> values{}, q{};
+  std::array<double, kVertices> values{};
   double inputError = 0;
-  bool made = false;
-  for (size_t i = 0; i < kCorners; ++i) {
-    q[i] = vertices[i]->reciprocalW;
-    inputError = std::max(inputError, reciprocalWError(*vertices[i]));
-    made = made || vertices[i]->made;
+  if (needsW_) {
+    for (size_t i = 0; i < kVertices; ++i) {
+      values[i] = vertices[i]->reciprocalW;
+      inputError = std::max(inputError, reciprocalWError(*vertices[i]));
+    }
+    planes.reciprocalW = make(values, inputError, outside_);
   }
-  if (needsW_) planes.reciprocalW = make(q, inputError, outside_);
   if (needsDepth_) {
     inputError = 0;
-    for (size_t i = 0; i < kCorners; ++i) {
+    for (size_t i = 0; i < kVertices; ++i) {
       values[i] = vertices[i]->position.z;
       inputError = std::max(inputError, vertices[i]->depthError);
     }
-    planes.depth = make(values, inputError, needs_.depth && !builtIns_.any() ? 0 : outside_);
+    planes.depth = make(values, inputError, builtIns_.any() ? outside_ : 0);
   }
-  const std::array<uint32_t, 3>& numbers = primitive_->assembled.vertices;
-  for (size_t c = 0; c < components_.size(); ++c) {
-    const Component& component = components_[c];
-    if (component.kind == Kind::Flat) continue;
-    const std::vector<float>& all = primitive_->draw->varyings[component.varying].values;
-    const auto valueOf = [&](uint32_t vertex) { return all[size_t{vertex} * component.stride + component.component]; };
-    const std::array<double, 3> corners{valueOf(numbers[0]), valueOf(numbers[1]), valueOf(numbers[2])};
-    const double largest = std::max({std::fabs(corners[0]), std::fabs(corners[1]), std::fabs(corners[2])});
-    const bool correct = component.kind == Kind::Perspective;
-    inputError = 0;
-    for (size_t i = 0; i < kCorners; ++i) {
-      const RasterVertex& v = *vertices[i];
-      values[i] = weighted(correct ? v.smoothWeights : v.linearWeights, corners) * (correct ? q[i] : 1);
-      // f / w: two roundings; a lerped attribute: 6 more of the largest corner, as for clipped positions.
-      const double scale = correct ? std::fabs(q[i]) : 1;
-      inputError = std::max(inputError, std::fabs(values[i]) * (2 * kHalfUlp + (correct ? v.relativeWError : 0)) +
-                                            (made ? 6 * kHalfUlp * largest * scale : 0));
-    }
-    planes.inputs[c] = make(values, inputError, outside_);
-  }
-}
-
-void PieceValues::setUpFlat() {
-  for (size_t c = 0; c < components_.size(); ++c) {
-    const Component& component = components_[c];
-    if (component.kind != Kind::Flat) continue;
-    const AssembledTriangle& assembled = primitive_->assembled;
-    uint32_t vertex = assembled.provoking;
-    if (assembled.count == 2 && rules_.error == DeliberateError::FlatFromWrongLineEnd) {
-      vertex = vertex == assembled.vertices[0] ? assembled.vertices[1] : assembled.vertices[0];
-    }
-    constants_[c] = primitive_->draw->varyings[component.varying].values[size_t{vertex} * component.stride + component.component];
-  }
+  inputs_.fill(*primitive_, vertices, planes, [&](const std::array<double, kVertices>& inputs, double error) {
+    return make(inputs, error, outside_);
+  });
 }
 
 void PieceValues::setUp(const Primitive& primitive, const SetupTriangle& piece) {
@@ -156,7 +87,7 @@ void PieceValues::setUp(const Primitive& primitive, const SetupTriangle& piece) 
   fillPlanes(v, planes_, [&plane](const std::array<double, 3>& values, double inputError, double outside) {
     return plane.through(values, inputError, outside);
   });
-  setUpFlat();
+  inputs_.fillFlat(primitive, constants_);
   builtIns_.setUp(primitive, piece);
   if (depthStage_.isPlain()) return;
   depthStage_.setUp(primitive);
@@ -180,14 +111,13 @@ void PieceValues::setUp(const Primitive& primitive, const Figure& figure) {
   } else {
     setUpPoint(figure.a);
   }
-  setUpFlat();
+  inputs_.fillFlat(primitive, constants_);
   builtIns_.setUp(primitive, figure);
   if (depthStage_.isPlain()) return;
   depthStage_.setUp(primitive);
   if (depthStage_.needsBias()) setFigureBias(figure);
 }
 
-// [vk:shaders-interpolation-decorations] nothing is interpolated in a point.
 void PieceValues::setUpPoint(const RasterVertex& vertex) {
   planes_.depth = {};
   planes_.depth.value = vertex.position.z;
@@ -195,21 +125,7 @@ void PieceValues::setUpPoint(const RasterVertex& vertex) {
   planes_.reciprocalW = {};
   planes_.reciprocalW.value = vertex.reciprocalW;
   planes_.reciprocalW.constantRadius = reciprocalWError(vertex);
-  const std::array<uint32_t, 3>& numbers = primitive_->assembled.vertices;
-  for (size_t c = 0; c < components_.size(); ++c) {
-    const Component& component = components_[c];
-    if (component.kind == Kind::Flat) continue;
-    const std::vector<float>& all = primitive_->draw->varyings[component.varying].values;
-    const auto valueOf = [&](size_t i) { return double{all[size_t{numbers[i]} * component.stride + component.component]}; };
-    const std::array<double, 3> corners{valueOf(0), valueOf(1), valueOf(2)};
-    const std::array<double, 3>& weights = component.kind == Kind::Perspective ? vertex.smoothWeights : vertex.linearWeights;
-    planes_.inputs[c] = {};
-    planes_.inputs[c].value = weighted(weights, corners);
-    // A corner that clipping made has lerped attributes.
-    const double largest = std::max({std::fabs(corners[0]), std::fabs(corners[1]), std::fabs(corners[2])});
-    planes_.inputs[c].constantRadius = vertex.made ? 8 * kHalfUlp * largest : 0;
-    constants_[c] = static_cast<float>(planes_.inputs[c].value);
-  }
+  inputs_.fillPoint(*primitive_, vertex, planes_, constants_);
 }
 
 void PieceValues::setUpLine(const Figure& figure) {
@@ -236,7 +152,7 @@ void PieceValues::setUpLine(const Figure& figure) {
   const bool wideBresenham = kind == LineKind::Bresenham && figure.size >= 1.5F;
   if (parallelogram || wideBresenham) {
     alternative_.emplace();
-    alternative_->inputs.resize(components_.size());
+    alternative_->inputs.resize(inputs_.size());
     fill(*alternative_, figure.a, figure.b, parallelogram ? LineParameter::Projection : LineParameter::Replicated);
   }
   freeDepth_ = location_.samples() > 1;
@@ -275,7 +191,7 @@ void PieceValues::setFigureBias(const Figure& figure) {
 
 Interval PieceValues::inputOver(size_t component, const EvaluationRegion& region) const {
   const auto over = [&](const ValuePlanes& planes) {
-    if (atPoint_ || components_[component].kind == Kind::Linear) return linearOver(planes.inputs[component], region);
+    if (atPoint_ || inputs_[component].kind == Kind::Linear) return linearOver(planes.inputs[component], region);
     const Denominator<kMostCorners> denominator(planes.reciprocalW, region);
     return quotientOver(planes.inputs[component], denominator, region);
   };
@@ -318,8 +234,8 @@ void PieceValues::fragment(const FragmentPlace& place, Interpolated* out) {
   const EvaluationRegion centre = location_.around(centreOf(place), centreStorage_);
   const bool triangle = figure_ == nullptr;
   const Denominator<4> denominator(planes_.reciprocalW, centre);  // of the many that are evaluated around the centre
-  for (size_t c = 0; c < components_.size(); ++c) {
-    const Component& component = components_[c];
+  for (size_t c = 0; c < inputs_.size(); ++c) {
+    const Component& component = inputs_[c];
     if (component.kind == Kind::Flat || (atPoint_ && !figure_->a.made)) {
       *out++ = exactly(constants_[c]);
     } else if (triangle && component.location == Location::Centre) {
@@ -337,6 +253,9 @@ void PieceValues::fragment(const FragmentPlace& place, Interpolated* out) {
     depth = depthStage_.shown(depthOver(region));
     reciprocalW = linearOver(planes_.reciprocalW, region);
     if (alternative_) reciprocalW = hullOf(reciprocalW, linearOver(alternative_->reciprocalW, region));
+    // A driver may keep w and invert it again: two divisions of 2.5 ULP each. [vk:spirvenv-precision-operation]
+    const double inverted = 10 * kHalfUlp * std::max(std::fabs(reciprocalW.lo), std::fabs(reciprocalW.hi));
+    reciprocalW = {reciprocalW.value, reciprocalW.lo - inverted, reciprocalW.hi + inverted};
   }
   builtIns_.evaluate(place, location_, depth, reciprocalW, out);
 }
@@ -344,8 +263,8 @@ void PieceValues::fragment(const FragmentPlace& place, Interpolated* out) {
 void PieceValues::varyings(double x, double y, Interpolated* out) const {
   RegionStorage storage;
   const EvaluationRegion region = location_.around({x, y}, storage);
-  for (size_t c = 0; c < components_.size(); ++c) {
-    *out++ = components_[c].kind == Kind::Flat ? exactly(constants_[c]) : toFloat(inputOver(c, region));
+  for (size_t c = 0; c < inputs_.size(); ++c) {
+    *out++ = inputs_[c].kind == Kind::Flat ? exactly(constants_[c]) : toFloat(inputOver(c, region));
   }
 }
 

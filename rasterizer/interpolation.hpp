@@ -10,6 +10,7 @@
 
 #include "rasterizer/depth/depth_stage.hpp"
 #include "rasterizer/fragment/built_in_values.hpp"
+#include "rasterizer/fragment/fragment_inputs.hpp"
 #include "scene/needs.hpp"
 
 namespace rasterdiff::rasterizer {
@@ -33,7 +34,7 @@ class PieceValues {
   /// All components of all varyings evaluated at one point, whatever their interpolation says of places.
   void varyings(double x, double y, Interpolated* out) const;
 
-  [[nodiscard]] size_t componentCount() const { return components_.size() + builtIns_.componentCount(); }
+  [[nodiscard]] size_t componentCount() const { return inputs_.size() + builtIns_.componentCount(); }
   /// Values differ between the samples of a fragment: otherwise one evaluation serves them all.
   [[nodiscard]] bool perSample() const { return perSample_; }
   /// fragment() reads FragmentPlace::covered.
@@ -42,22 +43,14 @@ class PieceValues {
   [[nodiscard]] uint32_t coveredSamples(int32_t x, int32_t y) const;
 
  private:
-  enum class Kind : uint8_t { Perspective, Linear, Flat };
-  enum class Location : uint8_t { Centre, Centroid, Sample, Offset };
-  struct Component {
-    size_t varying = 0;
-    uint32_t component = 0, stride = 0;
-    Kind kind = Kind::Linear;
-    Location location = Location::Centre;
-    EvaluationOffset offset;
-  };
+  using Kind = FragmentInputs::Kind;
+  using Location = FragmentInputs::Location;
+  using Component = FragmentInputs::Component;
 
-  [[nodiscard]] static Component componentOf(const Varying& varying, const Rules& rules);
   [[nodiscard]] bool setUpCurrent(const Primitive& primitive, const SetupTriangle* piece, const Figure* figure);
   /// Fills `planes` with what `make(values at the corners or ends, inputError, outside)` makes of each value.
-  template <size_t kCorners, class Make>
-  void fillPlanes(const std::array<const RasterVertex*, kCorners>& vertices, ValuePlanes& planes, const Make& make);
-  void setUpFlat();
+  template <size_t kVertices, class Make>
+  void fillPlanes(const std::array<const RasterVertex*, kVertices>& vertices, ValuePlanes& planes, const Make& make);
   void setUpPoint(const RasterVertex& vertex);
   void setUpLine(const Figure& figure);
   void setFigureBias(const Figure& figure);
@@ -71,13 +64,12 @@ class PieceValues {
   const State state_;
   RuleCounts* const counts_;
   AttributeLocation location_;
+  FragmentInputs inputs_;
   BuiltInValues builtIns_;
   DepthStage depthStage_;
-  bool anyPerspective_ = false, perSample_ = false, needsMask_ = false;
-  bool needsW_ = false, needsDepth_ = false;
+  bool perSample_ = false, needsMask_ = false, needsW_ = false, needsDepth_ = false;
   double outside_ = 0;  ///< pixels outside of a triangle where its planes may be evaluated
 
-  std::vector<Component> components_;
   ValuePlanes planes_;
   std::vector<float> constants_;           ///< of flat components, and of all components at a point
   std::optional<ValuePlanes> alternative_; ///< another legal parameter of a line (open rules)
