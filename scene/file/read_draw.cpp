@@ -1,72 +1,13 @@
-// One draw of a scene file: its own vertices in clip, world or pixel space, or a mesh.
+// One draw of a scene file: its own vertices (read_positions.cpp) and what belongs to them, or a mesh.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "scene/camera/projection.hpp"
-#include "scene/camera/screen.hpp"
 #include "scene/file/read_scene.hpp"
 #include "scene/mesh/obj.hpp"
 
 namespace rasterdiff {
 namespace {
-
-enum class Space { Clip, World, Pixels };
-
-bool readSpace(Reader& reader, const JsonValue& draw, const DrawContext& context, Space& space) {
-  const auto value = draw.member("space");
-  if (!value) return true;
-  static constexpr std::array<std::string_view, 3> kNames{"clip", "world", "pixels"};
-  std::string name;
-  if (!reader.text(*value, name)) return false;
-  const auto found = std::find(kNames.begin(), kNames.end(), name);
-  if (found == kNames.end()) return reader.fail(*value, "'" + name + "' is no space", Reader::suggest(name, kNames));
-  space = static_cast<Space>(found - kNames.begin());
-  if (space == Space::World && !context.clipFromWorld) {
-    return reader.fail(*value, "world space without a camera", "add a camera to the scene");
-  }
-  return true;
-}
-
-bool clipPosition(Reader& reader, const JsonValue& value, bool allowNonFinite, ClipPosition& out) {
-  if (!reader.array(value, "a position")) return false;
-  if (value.size() != 4) {
-    return reader.fail(value, fmt::format("a position of {} numbers", value.size()), "[x, y, z, w] in clip space");
-  }
-  JsonValue number = value.first();
-  for (float* to : {&out.x, &out.y, &out.z, &out.w}) {
-    if (!reader.float32(number, *to, allowNonFinite)) return false;
-    number = number.next();
-  }
-  return true;
-}
-
-bool readPositions(Reader& reader, const JsonValue& value, Space space, const DrawContext& context, Draw& draw) {
-  if (!reader.array(value, "positions")) return false;
-  draw.positions.resize(value.size());
-  JsonValue vertex = value.first();
-  std::vector<double> n;
-  const auto& further = context.scene.furtherViewports;
-  const Viewport& viewport = draw.viewportIndex == 0 ? context.scene.viewport : further[draw.viewportIndex - 1].viewport;
-  for (ClipPosition& position : draw.positions) {
-    switch (space) {
-      case Space::Clip:
-        if (!clipPosition(reader, vertex, context.scene.allowNonFinite, position)) return false;
-        break;
-      case Space::World:
-        if (!reader.numbers(vertex, "a position in world space", 3, 3, n)) return false;
-        position = toClip(*context.clipFromWorld, n[0], n[1], n[2]);
-        break;
-      case Space::Pixels:
-        if (!reader.numbers(vertex, "a position in pixels", 2, 4, n)) return false;
-        position =
-            clipFromPixels(viewport, {n[0], n[1], n.size() > 2 ? n[2] : 0, n.size() > 3 ? n[3] : 1});
-        break;
-    }
-    vertex = vertex.next();
-  }
-  return true;
-}
 
 /// Each vertex has a number or an array of 1 to `most` numbers, all alike; `count` is how many.
 bool readArrays(Reader& reader, const JsonValue& value, std::string_view what, uint32_t most, bool allowNonFinite,
@@ -212,9 +153,7 @@ bool readDraw(Reader& reader, const JsonValue& value, const DrawContext& context
   if (!reader.object(value, "draw", kFields, {"positions"})) return false;
   if (const auto v = value.member("transform"))
     return reader.fail(*v, "'transform' without 'mesh'", "only meshes are transformed");
-  Space space = Space::Clip;
-  if (!readViewportIndex(reader, value, context, draw) || !readSpace(reader, value, context, space)) return false;
-  if (!readPositions(reader, *value.member("positions"), space, context, draw)) return false;
+  if (!readViewportIndex(reader, value, context, draw) || !readPositions(reader, value, context, draw)) return false;
   if (const auto v = value.member("indices")) {
     if (!reader.array(*v, "indices")) return false;
     draw.indices.emplace(v->size());

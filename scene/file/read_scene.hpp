@@ -26,8 +26,11 @@ bool readCamera(Reader& reader, const JsonValue& value, double aspect, bool nega
 struct DrawContext {
   const Scene& scene;                       ///< viewports and allowNonFinite
   std::optional<glm::dmat4> clipFromWorld;  ///< none without a camera
-  std::string folder;                       ///< of the scene file, with a '/' at the end; mesh paths start there
+  std::string folder;                       ///< of the scene file, with a '/' at the end; paths of other files start there
 };
+
+/// `space` and `positions` of a draw whose viewport is known; positions are given, or the path of a .npy file.
+bool readPositions(Reader& reader, const JsonValue& draw, const DrawContext& context, Draw& out);
 
 bool readDraw(Reader& reader, const JsonValue& value, const DrawContext& context, Draw& draw);
 

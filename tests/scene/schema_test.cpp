@@ -91,6 +91,10 @@ TEST_F(SchemaTest, WhatTheLoaderAcceptsConforms) {
   }
 }
 
+TEST_F(SchemaTest, PositionsMayBeTheNameOfAFile) {
+  EXPECT_TRUE(accepts(withDraw(R"({"space": "pixels", "positions": "points.npy"})")));
+}
+
 TEST_F(SchemaTest, WhatItRefusesTheLoaderRefusesToo) {
   const std::string texts[] = {
       "[]",
@@ -137,6 +141,7 @@ TEST_F(SchemaTest, WhatItRefusesTheLoaderRefusesToo) {
           R"("camera": {"lookAt": {"eye": [0, 0], "target": [0, 0, 1]}, "perspective": {"fovY": 60, "near": 1, "far": 2}})"),
       withDraw("{}"),
       withDraw(R"({"positions": []})"),
+      withDraw(R"({"positions": ""})"),
       withDraw(R"({"positions": [[0, 0, 0]]})"),
       withDraw(R"({"positions": [[0, 0, 0, 1, 2]]})"),
       withDraw(R"({"space": "world", "positions": [[0, 0]]})"),
