@@ -9,6 +9,7 @@
 #include <string_view>
 #include <thread>
 
+#include "rasterizer/mistakes/played_device.hpp"
 #include "rasterizer/render.hpp"
 #include "vkref/device.hpp"
 
@@ -95,7 +96,7 @@ Result<std::unique_ptr<Subject>> openMutant(const SubjectOptions& options, std::
     return fail(ErrorCode::BadInput, "--driver", fmt::format("there is no mutant named '{}'", name),
                 "rasterdiff list --mutants");
   }
-  Result<rasterizer::Rules> rules = rasterizer::Rules::profile(options.profile, Limits{});
+  Result<rasterizer::Rules> rules = rasterizer::Rules::profile(options.profile, rasterizer::playedDevice(*error));
   if (!rules) return tl::unexpected(rules.error());
   rules->error = *error;
   std::string what;

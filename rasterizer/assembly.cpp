@@ -40,6 +40,8 @@ class Assembler {
       for (uint32_t& vertex : primitive.vertices) vertex = fetch(base + vertex);
       const bool takeFirst = firstProvokes_ != (error_ == DeliberateError::WrongProvokingVertex);
       primitive.provoking = primitive.vertices[takeFirst ? 0 : 2];
+      const bool byHub = error_ == DeliberateError::FanHubProvokes && topology_ == PrimitiveTopology::TRIANGLE_FAN;
+      if (byHub) primitive.provoking = fetch(base);
       assembled.push_back(primitive);
     }
   }

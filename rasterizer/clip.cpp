@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "rasterizer/mistakes/mistaken_clip.hpp"
+
 namespace rasterdiff::rasterizer {
 namespace {
 
@@ -82,17 +84,6 @@ bool clipAgainst(int plane, bool minusW, const ClipPolygon& in, ClipPolygon& out
   return true;
 }
 
-void copyUnadjustedAttributes(ClipPolygon& polygon) {
-  for (int i = 0; i < polygon.size; ++i) {
-    ClipVertex& vertex = polygon.vertices[static_cast<size_t>(i)];
-    if (!vertex.made) continue;
-    const auto nearest = std::max_element(vertex.smoothWeights.begin(), vertex.smoothWeights.end());
-    std::array<double, 3> copied{};
-    copied[static_cast<size_t>(nearest - vertex.smoothWeights.begin())] = 1;
-    vertex.smoothWeights = vertex.linearWeights = copied;
-  }
-}
-
 ClipVertex clipVertex(const ClipInput& input, const ClipVolume& volume, size_t corner) {
   ClipVertex vertex;
   const ClipPosition& p = input.position;
@@ -145,10 +136,12 @@ ClipVolume clipVolume(const State& state, const Draw& draw, DeliberateError erro
 unsigned outcode(const ClipInput& vertex, const ClipVolume& volume) {
   const ClipPosition& p = vertex.position;
   unsigned code = 0;
-  if (p.x > p.w) code |= 1U << PlusX;
-  if (0 > p.x + p.w) code |= 1U << MinusX;
-  if (p.y > p.w) code |= 1U << PlusY;
-  if (0 > p.y + p.w) code |= 1U << MinusY;
+  if (volume.error != DeliberateError::SideClipIgnored) {
+    if (p.x > p.w) code |= 1U << PlusX;
+    if (0 > p.x + p.w) code |= 1U << MinusX;
+    if (p.y > p.w) code |= 1U << PlusY;
+    if (0 > p.y + p.w) code |= 1U << MinusY;
+  }
   if (volume.nearAndFar) {
     if (volume.nearAtMinusW ? 0 > p.z + p.w : 0 > p.z) code |= 1U << Near;
     if (p.z > p.w && volume.error != DeliberateError::NoFarClip) code |= 1U << Far;
@@ -187,7 +180,7 @@ ClipOutcome clipTriangle(std::span<const ClipInput, 3> triangle, ClipArithmetic 
     }
     std::swap(polygon, other);
   }
-  if (volume.error == DeliberateError::ClipAttributeUnadjusted) copyUnadjustedAttributes(polygon);
+  if (volume.error != DeliberateError::None) mistakeClipped(polygon, volume.error, any >> kVolumePlanes != 0);
   return ClipOutcome::Cut;
 }
 
@@ -206,6 +199,7 @@ ClipOutcome clipLine(std::span<const ClipInput, 2> line, ClipArithmetic arithmet
   } else {
     clipEnds<double>(first | second, volume.nearAtMinusW, polygon);
   }
+  if (volume.error != DeliberateError::None) mistakeClipped(polygon, volume.error, (first | second) >> kVolumePlanes != 0);
   return ClipOutcome::Cut;
 }
 

@@ -55,7 +55,8 @@ bool FigureMaker::pointSurvives(const ClipInput& vertex) {
   if (code == 0) return true;
   ++counts_[Rule::PointClip];
   const bool onlyUserPlanes = rules_.limits.pointClippingBehavior == PointClippingBehavior::USER_CLIP_PLANES_ONLY;
-  return onlyUserPlanes && (code & ~kVolumeMask) == 0 && vertex.position.w > 0;
+  const bool ignored = onlyUserPlanes || rules_.error == DeliberateError::PointClipIgnored;
+  return ignored && (code & ~kVolumeMask) == 0 && vertex.position.w > 0;
 }
 
 void FigureMaker::addPoint(Primitive& primitive, const ClipPosition& position, RasterVertex vertex, const PointSize& size) {
@@ -109,6 +110,8 @@ LineStyle FigureMaker::lineStyle() const {
 void FigureMaker::addLine(Primitive& primitive, const LineEnds& ends, bool ofPolygon, bool optional) {
   LineStyle style = lineStyle();
   style.ofPolygon = ofPolygon;
+  const double dx = ends.b.position.x - ends.a.position.x, dy = ends.b.position.y - ends.a.position.y;
+  if (rules_.error == DeliberateError::LineWidthOfXMajorOnly && std::fabs(dy) > std::fabs(dx)) style.width = 1;
   Figure figure;
   figure.kind = Figure::Kind::Line;
   figure.a = ends.a;
@@ -121,7 +124,8 @@ void FigureMaker::addLine(Primitive& primitive, const LineEnds& ends, bool ofPol
 }
 
 void FigureMaker::makeLine(Primitive& primitive, const ClipInput& a, const ClipInput& b) {
-  if (!primitive.assembled.continuesLine && rules_.error != DeliberateError::StippleNotReset) stipple_ = {};
+  const bool restarts = !primitive.assembled.continuesLine || rules_.error == DeliberateError::StippleStripRestarts;
+  if (restarts && rules_.error != DeliberateError::StippleNotReset) stipple_ = {};
   const std::array<ClipInput, 2> line{a, b};
   ClipPolygon clipped;
   const ClipOutcome outcome = clipLine(line, rules_.choices.clipArithmetic, volume_, clipped);
@@ -129,6 +133,7 @@ void FigureMaker::makeLine(Primitive& primitive, const ClipInput& a, const ClipI
   if (outcome != ClipOutcome::Inside) {
     ++counts_[Rule::LineClip];
     primitive.cut = true;
+    if (rules_.error == DeliberateError::LineClipDrops) return;
     if (a.position.w > 0 && b.position.w > 0) ends.uncut = {stage_.original(a.position), stage_.original(b.position)};
   }
   ends.removed = clipped.size < 2 || clipped.vertices[0].position[3] <= 0 || clipped.vertices[1].position[3] <= 0;
@@ -151,7 +156,8 @@ void FigureMaker::makeOutline(Primitive& primitive, const ClipPolygon& polygon) 
   ++counts_[Rule::PolygonMode];
   stipple_ = {};
   const size_t n = primitive.polygon.size();
-  for (size_t i = 0; i < n; ++i) {
+  const bool open = rules_.error == DeliberateError::LineModeOpen && scene_.state.polygonMode == PolygonMode::LINE;
+  for (size_t i = 0; i < (open ? n - 1 : n); ++i) {
     const RasterVertex& a = primitive.polygon[i];
     if (scene_.state.polygonMode == PolygonMode::POINT) {
       if (a.made) continue;

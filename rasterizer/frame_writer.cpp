@@ -47,6 +47,9 @@ FrameWriter::FrameWriter(const Scene& scene, const SceneNeeds& needs, const Rule
       sampleMask_(maskUnder(scene.state, scene.target.samples, rules.error)), open_(rules.open),
       openValues_(rules.openValues()), resolve_(scene.target.resolve) {
   const auto [width, height, samples] = std::array{scene.target.width, scene.target.height, scene.target.samples};
+  depthPattern_ = pattern_;
+  if (error_ == DeliberateError::DepthAtCentre) depthPattern_.assign(samples, {kSubpixelOne / 2, kSubpixelOne / 2});
+  alphaComponent_ = error_ == DeliberateError::AlphaFromRed ? 0 : 3;
   masks_ = sampleMask_ != (1U << samples) - 1;
   const bool hasVaryings = !scene.draws.empty() && !scene.draws[0].varyings.empty();
   alpha_ = scene.state.alphaToCoverageEnable && hasVaryings && scene.draws[0].varyings[0].components == 4;
@@ -97,6 +100,7 @@ void FrameWriter::fillCoverage(uint32_t primitive, int32_t y, std::span<const Ro
 
 void FrameWriter::writeRow(uint32_t primitive, PieceValues& values, int32_t y, std::span<const RowSpan> rasterized) {
   const std::span<const RowSpan> spans = masked(rasterized);
+  if (error_ != DeliberateError::None) mistakeRow(values, y, rasterized);
   if (!frame_.depth && frame_.varyings.empty()) {
     fillCoverage(primitive, y, spans);
     return;
@@ -109,6 +113,31 @@ void FrameWriter::writeRow(uint32_t primitive, PieceValues& values, int32_t y, s
     end = std::max(end, span.end);
   }
   for (int32_t x = begin; x < end; ++x) writePixel(primitive, values, x, y, spans);
+}
+
+void FrameWriter::mistakeRow(const PieceValues& values, int32_t y, std::span<const RowSpan> rasterized) {
+  const auto each = [&](const RowSpan& span, size_t s, const auto& visit) {
+    for (int32_t x = span.begin; x < span.end; ++x) {
+      visit(x, frame_.primitive.index(static_cast<uint32_t>(x), static_cast<uint32_t>(y), static_cast<uint32_t>(s)));
+    }
+  };
+  for (size_t s = 0; s < rasterized.size(); ++s) {
+    const RowSpan& span = rasterized[s];
+    if (span.empty()) continue;
+    if (error_ == DeliberateError::HelpersCounted) {
+      // The other pixels of the quads at both ends.
+      const RowSpan quads{span.begin & ~1, std::min((span.end + 1) & ~1, static_cast<int32_t>(frame_.width))};
+      each({quads.begin, span.begin}, s, [&](int32_t, size_t index) { ++frame_.count.data[index]; });
+      each({span.end, quads.end}, s, [&](int32_t, size_t index) { ++frame_.count.data[index]; });
+    }
+    const bool maskedOut = (sampleMask_ & (1U << s)) == 0;
+    if (error_ == DeliberateError::SampleMaskAfterDepth && maskedOut && frame_.depth && state_.depthTestEnable && state_.depthWriteEnable) {
+      each(span, s, [&](int32_t x, size_t index) {
+        const float depth = values.depth(x + pattern_[s].x * kPixel, y + pattern_[s].y * kPixel).value;
+        if (passesDepth(index, depth)) frame_.depth->data[index] = depth;
+      });
+    }
+  }
 }
 
 void FrameWriter::writePixel(uint32_t primitive, PieceValues& values, int32_t x, int32_t y, std::span<const RowSpan> spans) {
@@ -127,7 +156,7 @@ void FrameWriter::writePixel(uint32_t primitive, PieceValues& values, int32_t x,
     if (alpha_ && !alphaKeeps(place)) continue;
     Interpolated depth;
     if (frame_.depth) {
-      depth = values.depth(x + pattern_[s].x * kPixel, y + pattern_[s].y * kPixel);
+      depth = values.depth(x + depthPattern_[s].x * kPixel, y + depthPattern_[s].y * kPixel);
       if (error_ == DeliberateError::DepthOffByOneStep) {
         depth.value = std::nextafter(depth.bounds.hi, std::numeric_limits<float>::infinity());
       }
@@ -139,7 +168,7 @@ void FrameWriter::writePixel(uint32_t primitive, PieceValues& values, int32_t x,
 
 // [vk:fragops-covg] before the depth test.
 bool FrameWriter::alphaKeeps(const FragmentPlace& place) {
-  const Interpolated& alpha = values_[3];
+  const Interpolated& alpha = values_[alphaComponent_];
   const float value = error_ == DeliberateError::AlphaInverted ? 1 - alpha.value : alpha.value;
   const bool keeps = alphaCovers(value, place.sample, frame_.samples);
   if (!keeps) ++counts_[Rule::AlphaToCoverage];
@@ -162,7 +191,10 @@ void FrameWriter::writeSample(uint32_t primitive, size_t index, const Interpolat
   // Edges of one triangle may overlap, and which of them is drawn last is not stated.
   const bool again = winner == primitive && openValues_;
   if (depth != nullptr && state_.depthTestEnable) {
-    if (!passesDepth(index, depth->value)) return;
+    if (!passesDepth(index, depth->value)) {
+      if (error_ == DeliberateError::DepthWriteAfterFailure && state_.depthWriteEnable) frame_.depth->data[index] = depth->value;
+      return;
+    }
     // [vk:fragops-depth] without the depth test, depth is not written either.
     if (state_.depthWriteEnable) {
       frame_.depth->data[index] = depth->value;
@@ -198,7 +230,7 @@ void FrameWriter::markCoverage(int32_t x, int32_t y, uint32_t sample, Coverage c
 
 Frame FrameWriter::take() {
   for (size_t v = 0; resolve_ && v < varyings_; ++v) {
-    frame_.resolved.push_back(resolved(frame_.varyings[v], error_ == DeliberateError::ResolveSampleZero, counts_));
+    frame_.resolved.push_back(resolved(frame_.varyings[v], error_, counts_));
   }
   return std::move(frame_);
 }

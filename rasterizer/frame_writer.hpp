@@ -28,6 +28,8 @@ class FrameWriter {
  private:
   void addPlane(std::string_view name, uint32_t components);
   [[nodiscard]] std::span<const RowSpan> masked(std::span<const RowSpan> spans);
+  /// Deliberate errors that spoil what a row is not even to write.
+  void mistakeRow(const PieceValues& values, int32_t y, std::span<const RowSpan> rasterized);
   void writePixel(uint32_t primitive, PieceValues& values, int32_t x, int32_t y, std::span<const RowSpan> spans);
   [[nodiscard]] bool alphaKeeps(const FragmentPlace& place);
   void fillCoverage(uint32_t primitive, int32_t y, std::span<const RowSpan> spans);
@@ -37,6 +39,8 @@ class FrameWriter {
   const State state_;
   const DeliberateError error_;
   const std::vector<SubpixelPosition> pattern_;
+  std::vector<SubpixelPosition> depthPattern_;  ///< where depth is evaluated: at the samples
+  size_t alphaComponent_ = 3;
   RuleCounts& counts_;
   Frame frame_;
   std::vector<Interpolated> values_;

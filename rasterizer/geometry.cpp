@@ -33,15 +33,18 @@ class DrawGeometry {
   }
 
   uint32_t run(uint32_t number) {
-    for (const AssembledTriangle& assembled : assemble(draw_, scene_.state, rules_.error)) {
-      primitive_.number = ++number;
+    const std::vector<AssembledTriangle> all = assemble(draw_, scene_.state, rules_.error);
+    for (size_t i = 0; i < all.size(); ++i) {
+      const size_t at = rules_.error == DeliberateError::DrawBackward ? all.size() - 1 - i : i;
+      const AssembledTriangle& assembled = all[at];
+      primitive_.number = number + static_cast<uint32_t>(at) + 1;
       primitive_.assembled = assembled;
       primitive_.polygon.clear();
       primitive_.pieces.clear();
       primitive_.figures.clear();
       primitive_.cut = primitive_.unprojectable = false;
       primitive_.frontFacing = true;
-      for (size_t i = 0; i < 3; ++i) primitive_.clip[i] = draw_.positions[assembled.vertices[i]];
+      for (size_t k = 0; k < 3; ++k) primitive_.clip[k] = draw_.positions[assembled.vertices[k]];
       if (culledByDistance()) {
         ++counts_[Rule::UserDistance];
         continue;
@@ -54,7 +57,7 @@ class DrawGeometry {
       const bool mayDraw = !primitive_.pieces.empty() || !primitive_.figures.empty() || primitive_.unprojectable;
       if (mayDraw || (rules_.open && primitive_.polygon.size() >= 3)) visit_(primitive_);
     }
-    return number;
+    return number + static_cast<uint32_t>(all.size());
   }
 
  private:
@@ -86,6 +89,7 @@ class DrawGeometry {
     primitive_.cut = any != 0;
     countUnclippedDepth();
     if (primitive_.cut) {
+      if (rules_.error == DeliberateError::FlatAfterCut) primitive_.assembled.provoking = assembled.vertices[1];
       ++counts_[(any >> kVolumePlanes) != 0 ? Rule::UserDistance : Rule::ViewVolume];
       if ((code(0) & code(1) & code(2)) != 0) return;
       if (!cutPolygon()) return;
@@ -134,10 +138,16 @@ class DrawGeometry {
 
   // [vk:primsrast-polygonmode] edges or corners of what clipping and culling left.
   void outline() {
-    const bool culled = primitive_.pieces.empty()
-                            ? scene_.state.cullMode != CullMode::NONE && scene_.state.cullMode != CullMode::FRONT
-                            : primitive_.pieces.front().culled;
-    if (!primitive_.pieces.empty()) primitive_.frontFacing = primitive_.pieces.front().frontFacing;
+    // [vk:primsrast-polygons-basic] without area it is back-facing.
+    bool culled = scene_.state.cullMode != CullMode::NONE && scene_.state.cullMode != CullMode::FRONT;
+    primitive_.frontFacing = false;
+    if (!primitive_.pieces.empty()) {
+      culled = primitive_.pieces.front().culled;
+      primitive_.frontFacing = primitive_.pieces.front().frontFacing;
+    } else if (rules_.error == DeliberateError::ZeroAreaFront) {
+      culled = scene_.state.cullMode != CullMode::NONE && scene_.state.cullMode != CullMode::BACK;
+      primitive_.frontFacing = true;
+    }
     primitive_.pieces.clear();
     if (!culled) {
       if (!primitive_.cut) {

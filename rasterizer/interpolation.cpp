@@ -35,7 +35,9 @@ PieceValues::PieceValues(const Scene& scene, const SceneNeeds& needs, const Rule
   const bool multisampled = scene.target.samples > 1;
   perSample_ = (multisampled && inputs_.anyAt(Location::Sample)) || builtIns_.perSample();
   needsMask_ = (multisampled && inputs_.anyAt(Location::Centroid)) || builtIns_.needsMask();
-  needsW_ = inputs_.anyPerspective() || builtIns_.observe(BuiltIn::FragCoord);
+  perspectiveDepth_ = rules.error == DeliberateError::DepthPerspective;
+  plainDepth_ = depthStage_.isPlain() && !perspectiveDepth_;
+  needsW_ = inputs_.anyPerspective() || builtIns_.observe(BuiltIn::FragCoord) || perspectiveDepth_;
   needsDepth_ = needs.depth || builtIns_.observe(BuiltIn::FragCoord);
   // Undecorated inputs of a multisampled fragment may be evaluated outside the triangle, within its pixel.
   outside_ = multisampled || inputs_.anyAt(Location::Offset) ? 1 : 0;
@@ -68,7 +70,7 @@ void PieceValues::fillPlanes(const std::array<const RasterVertex*, kVertices>& v
   if (needsDepth_) {
     inputError = 0;
     for (size_t i = 0; i < kVertices; ++i) {
-      values[i] = vertices[i]->position.z;
+      values[i] = vertices[i]->position.z * (perspectiveDepth_ ? vertices[i]->reciprocalW : 1);
       inputError = std::max(inputError, vertices[i]->depthError);
     }
     planes.depth = make(values, inputError, builtIns_.any() ? outside_ : 0);
@@ -200,13 +202,16 @@ Interval PieceValues::inputOver(size_t component, const EvaluationRegion& region
 }
 
 Interval PieceValues::depthOver(const EvaluationRegion& region) const {
+  if (perspectiveDepth_ && !atPoint_) {
+    return quotientOver(planes_.depth, Denominator<kMostCorners>(planes_.reciprocalW, region), region);
+  }
   const Interval value = linearOver(planes_.depth, region);
   return alternative_ ? hullOf(value, linearOver(alternative_->depth, region)) : value;
 }
 
 Interpolated PieceValues::depth(double x, double y) const {
   const EvaluationRegion there{{x, y}, {}};
-  if (figure_ == nullptr && depthStage_.isPlain()) return toFloat(linearOver(planes_.depth, there));
+  if (figure_ == nullptr && plainDepth_) return toFloat(linearOver(planes_.depth, there));
   if (!freeDepth_) return depthStage_.stored(depthOver(there));
   // [vk:primsrast-lines-basic] a line's data are evaluated at the centre or at a sample of the fragment.
   const FragmentPlace place{static_cast<int32_t>(std::floor(x)), static_cast<int32_t>(std::floor(y)), 0, 0};

@@ -68,6 +68,8 @@ class PieceValues {
   BuiltInValues builtIns_;
   DepthStage depthStage_;
   bool perSample_ = false, needsMask_ = false, needsW_ = false, needsDepth_ = false;
+  bool plainDepth_ = false;        ///< of a triangle: nothing to do but to round
+  bool perspectiveDepth_ = false;  ///< a deliberate error
   double outside_ = 0;  ///< pixels outside of a triangle where its planes may be evaluated
 
   ValuePlanes planes_;

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "rasterizer/mistakes/mistaken_pieces.hpp"
+
 namespace rasterdiff::rasterizer {
 namespace {
 
@@ -15,29 +17,27 @@ TieOwner tieOwner(const Rules& rules) {
   return rules.error == DeliberateError::TieOwnerBottomRight ? TieOwner::BottomRight : rules.choices.tieOwner;
 }
 
-void setTies(SetupTriangle& triangle, DeliberateError error) {
-  if (error != DeliberateError::TiesCoveredByBoth && error != DeliberateError::TiesCoveredByNone) return;
-  for (EdgeFunction& edge : triangle.edges) edge.ownsTies = error == DeliberateError::TiesCoveredByBoth;
-}
-
 }  // namespace
 
 // [vk:primsrast-polygons-basic] facing is the sign of a = -doubleArea / 2; a zero area is back-facing.
 bool PieceMaker::isFront(int64_t area) const {
   const bool counterClockwise = area < 0;  // Vulkan's a > 0
   const bool clockwise = area > 0;
-  const bool front = state_.frontFace == FrontFace::COUNTER_CLOCKWISE ? counterClockwise : clockwise;
-  return front != (rules_.error == DeliberateError::SwappedWinding && area != 0);
+  return state_.frontFace == FrontFace::COUNTER_CLOCKWISE ? counterClockwise : clockwise;
 }
 
 void PieceMaker::makePieces(Primitive& primitive) const {
   primitive.pieces.clear();
-  for (size_t i = 2; i < primitive.polygon.size(); ++i) {
+  const bool mistaken = rules_.error != DeliberateError::None;
+  const size_t corners = primitive.polygon.size();
+  const size_t last = rules_.error == DeliberateError::CutFanShort && corners > 3 ? corners - 1 : corners;
+  for (size_t i = 2; i < last; ++i) {
     SetupTriangle triangle;
     triangle.corner = {0, static_cast<uint8_t>(i - 1), static_cast<uint8_t>(i)};
     const auto at = [&](size_t k) { return primitive.polygon[triangle.corner[k]].snapped; };
     triangle.area = doubleArea(at(0), at(1), at(2));
     triangle.frontFacing = isFront(triangle.area);
+    if (mistaken && triangle.area != 0) triangle.frontFacing = mistakenFacing(triangle.frontFacing, primitive, rules_.error);
     triangle.culled = culledBy(state_.cullMode, triangle.frontFacing);
     if (state_.cullMode == CullMode::FRONT || state_.cullMode == CullMode::BACK) ++counts_[Rule::Facing];
     if (triangle.culled) ++counts_[Rule::Culling];
@@ -48,7 +48,7 @@ void PieceMaker::makePieces(Primitive& primitive) const {
     }
     const TieOwner owner = tieOwner(rules_);
     for (size_t k = 0; k < 3; ++k) triangle.edges[k] = edgeFunction(at(k), at((k + 1) % 3), owner);
-    setTies(triangle, rules_.error);
+    if (mistaken) mistakeEdges(triangle.edges, rules_.error);
     primitive.pieces.push_back(triangle);
   }
 }

@@ -5,6 +5,7 @@
 
 #include "rasterizer/frame_writer.hpp"
 #include "rasterizer/freedom_band.hpp"
+#include "rasterizer/mistakes/mistaken_scene.hpp"
 #include "rasterizer/sample_pattern.hpp"
 #include "rasterizer/shape.hpp"
 #include "rasterizer/target_area.hpp"
@@ -175,8 +176,10 @@ Result<Frame> render(const Scene& scene, const Rules& rules, RuleCounts* counts)
   if (!pattern) return tl::unexpected<Error>(pattern.error());
   RuleCounts own;
   RuleCounts& counting = counts != nullptr ? *counts : own;
-  Renderer renderer(scene, rules, std::move(*pattern), counting);
-  forEachPrimitive(scene, rules, counting, [&](const Primitive& primitive) { renderer.draw(primitive); });
+  const std::optional<Scene> mistaken = mistakenScene(scene, rules.error);
+  const Scene& drawn = mistaken ? *mistaken : scene;
+  Renderer renderer(drawn, rules, std::move(*pattern), counting);
+  forEachPrimitive(drawn, rules, counting, [&](const Primitive& primitive) { renderer.draw(primitive); });
   return renderer.take();
 }
 

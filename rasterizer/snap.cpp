@@ -77,6 +77,7 @@ int32_t ceilingExactly(float coordinate, float w, const ViewportAxis& axis, doub
 
 int gridBits(const Rules& rules) {
   if (rules.error == DeliberateError::CoarseSnap) return 4;
+  if (rules.error == DeliberateError::SevenBitSnap) return 7;
   return static_cast<int>(std::min<uint32_t>(rules.limits.subPixelPrecisionBits, kSubpixelBits));
 }
 

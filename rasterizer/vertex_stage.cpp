@@ -25,15 +25,40 @@ void shiftHalfPixel(RasterVertex& vertex) {
   vertex.position.x += 0.5;
 }
 
+// A deliberate error: w whose reciprocal has 12 bits.
+ClipPosition withCoarseReciprocal(ClipPosition p) {
+  int exponent = 0;
+  const double fraction = std::frexp(1.0 / p.w, &exponent);  // 0.5 <= |fraction| < 1
+  p.w = static_cast<float>(1 / std::ldexp(std::trunc(std::ldexp(fraction, 12)), exponent - 12));
+  return p;
+}
+
+// Deliberate errors of rounding to the grid.
+void mistakeSnap(RasterVertex& vertex, const ClipPosition& p, const VertexStage& stage) {
+  const int bits = gridBits(stage.rules);
+  const auto legal = [&](float coordinate, const ViewportAxis& axis) { return legalSnaps(coordinate, p.w, axis, bits, 0); };
+  switch (stage.rules.error) {
+    case DeliberateError::CeilingSnap:
+      vertex.snapped = {legal(p.x, stage.viewport.x).highest, legal(p.y, stage.viewport.y).highest};
+      break;
+    case DeliberateError::FloorSnapY: vertex.snapped.y = legal(p.y, stage.viewport.y).lowest; break;
+    case DeliberateError::SnapOneStepAside: vertex.snapped.y += 1 << (kSubpixelBits - bits); break;
+    default: break;
+  }
+}
+
 }  // namespace
 
-RasterVertex VertexStage::original(const ClipPosition& p) const {
+RasterVertex VertexStage::original(const ClipPosition& given) const {
+  const ClipPosition p = rules.error == DeliberateError::ReciprocalCoarse ? withCoarseReciprocal(given) : given;
   RasterVertex vertex;
   const double clip[4] = {p.x, p.y, p.z, p.w};
   vertex.position = toFramebuffer(clip, viewport);
   vertex.reciprocalW = 1.0 / p.w;
   vertex.snapped = {snapUnder(rules, samples, p.x, p.w, viewport.x), snapUnder(rules, samples, p.y, p.w, viewport.y)};
+  if (rules.error != DeliberateError::None) mistakeSnap(vertex, p, *this);
   vertex.lowest = vertex.highest = vertex.snapped;
+  if (rules.error == DeliberateError::DepthUndivided) vertex.position.z = p.z * viewport.z.scale + viewport.z.offset();
   vertex.depthError = depthErrorBound(p.z * viewport.z.scale / p.w, viewport.z.offset(), vertex.position.z);
 
   const double errorX = viewportArithmeticBound(p.x, p.w, viewport.x);

@@ -7,6 +7,7 @@
 
 #include "harness/compare/legal_outcomes.hpp"
 #include "harness/compare/value_accumulator.hpp"
+#include "harness/compare/whole_pixels.hpp"
 #include "rasterizer/depth/format.hpp"
 #include "rasterizer/fragment/resolve.hpp"
 #include "rasterizer/fragment/value_freedoms.hpp"
@@ -215,7 +216,7 @@ class Comparison {
     d.actualCount = actual_.count.data[index];
     const Outcome outcome = judgeOutcome(scene_.state, clearDepth_, reference_.depth.has_value(),
                                          candidates, d.actualPrimitive, d.actualCount);
-    if (outcome.legal) {
+    if (outcome.legal && (!wholePixels_ || pixelIsWhole(scene_, actual_, place.x, place.y))) {
       const rasterizer::FreedomInfo& freedom = rasterizer::info(outcome.freedom);
       d.verdict = Verdict::Allowed;
       d.reason = freedom.id;
@@ -281,6 +282,7 @@ class Comparison {
   const Frame& actual_;
   SceneResult result_;
   Bounds clearDepth_;
+  const bool wholePixels_ = coversWholePixels(scene_);
   std::vector<ValueAccumulator> values_;  // depth, varyings, built-ins, resolved planes
   std::vector<SampleQuery> queries_;   // winner or count is another
   std::vector<SampleQuery> overlaps_;  // values are others, and another part of the winner may be there

@@ -26,6 +26,8 @@ Interval scaled(const Interval& interval, double factor) {
 }  // namespace
 
 Interval smallestDifference(uint32_t bits, const Interval& largestDepth, const Rules& rules) {
+  if (rules.error == DeliberateError::DepthBiasUnitOf24 && bits != 0) bits = 24;
+  if (bits == 0 && rules.error == DeliberateError::DepthBiasUnitFixed) return {0x1p-24, 0x1p-24, 0x1p-24};
   if (bits == 0) {
     // The float32 number nearest to the depth has the exponent; under a rounding up it is the next one.
     const auto rounded = [](double z) { return static_cast<double>(static_cast<float>(z)); };
@@ -43,8 +45,10 @@ Interval depthBias(const State& state, uint32_t bits, const Rules& rules, const 
   const Gradient& slope = inputs.slope;
   const double larger = std::max(std::fabs(slope.dx), std::fabs(slope.dy));
   const double longest = rules.open ? std::hypot(slope.dx, slope.dy) : larger;
-  const Interval m{larger, std::max(0.0, larger - slope.radius), longest + std::sqrt(2.0) * slope.radius};
+  Interval m{larger, std::max(0.0, larger - slope.radius), longest + std::sqrt(2.0) * slope.radius};
   double slopeFactor = state.depthBiasSlopeFactor, constantFactor = state.depthBiasConstantFactor, limit = state.depthBiasClamp;
+  if (rules.error == DeliberateError::DepthBiasSlopeSum) m.value = std::fabs(slope.dx) + std::fabs(slope.dy);
+  if (rules.error == DeliberateError::DepthBiasSlopeX) m.value = std::fabs(slope.dx);
   if (rules.error == DeliberateError::DepthBiasSlopeIgnored) slopeFactor = 0;
   if (rules.error == DeliberateError::DepthBiasTripled) constantFactor *= 3;
   if (rules.error == DeliberateError::DepthBiasUnclamped) limit = 0;

@@ -82,6 +82,11 @@ Interpolated DepthStage::stored(const Interval& z) const {
     const double steps = static_cast<double>((uint64_t{1} << unormBits(format_)) - 1);
     result.value = fromUnorm(std::max(0.0, std::floor(result.bounds.lo * steps) - 2), unormBits(format_));
   }
+  if (rules_.error == DeliberateError::DepthTimesPowerOfTwo) {
+    const double powerOfTwo = std::ldexp(1.0, static_cast<int>(unormBits(format_)));
+    const double k = std::nearbyint(std::clamp(depth.value, 0.0, 1.0) * powerOfTwo);
+    result.value = fromUnorm(std::min(k, powerOfTwo - 1), unormBits(format_));
+  }
   return result;
 }
 

@@ -52,27 +52,28 @@ EvaluationOffset evaluationOffset(float x, float y, const Rules& rules) {
 
 AttributeLocation::AttributeLocation(std::vector<SubpixelPosition> pattern, const Rules& rules)
     : pattern_(std::move(pattern)), areaIsFree_(rules.openValues() && pattern_.size() > 1),
-      ignoreCentroid_(rules.error == DeliberateError::CentroidIgnored),
-      sampleAtCentre_(rules.error == DeliberateError::SampleAtCentre) {}
+      error_(rules.error) {}
 
 EvaluationRegion AttributeLocation::around(Spot centre, RegionStorage& storage) const {
+  if (error_ == DeliberateError::CentreAtCorner && samples() == 1) return {{centre.x - 0.5, centre.y - 0.5}, {}};
   if (!areaIsFree_) return {centre, {}};
   storage.box = boxOf(centre.x - 0.5, centre.y - 0.5, centre.x + 0.5, centre.y + 0.5);
   return {centre, storage.box};
 }
 
 EvaluationRegion AttributeLocation::atSample(const FragmentPlace& place) const {
-  return {sampleAtCentre_ ? centreOf(place) : sampleOf(place, place.sample, pattern_), {}};
+  return {error_ == DeliberateError::SampleAtCentre ? centreOf(place) : sampleOf(place, place.sample, pattern_), {}};
 }
 
 uint32_t AttributeLocation::firstCovered(const FragmentPlace& place) const {
+  if (error_ == DeliberateError::CentroidUncovered) return static_cast<uint32_t>(std::countr_one(place.covered));
   return place.covered == 0 ? place.sample : static_cast<uint32_t>(std::countr_zero(place.covered));
 }
 
 EvaluationRegion AttributeLocation::centroid(const FragmentPlace& place, const Primitive& primitive,
                                              RegionStorage& storage) const {
   const uint32_t all = (1U << samples()) - 1;
-  const bool centre = samples() == 1 || (place.covered & all) == all || ignoreCentroid_;
+  const bool centre = samples() == 1 || (place.covered & all) == all || error_ == DeliberateError::CentroidIgnored;
   const Spot nominal = centre ? centreOf(place) : sampleOf(place, firstCovered(place), pattern_);
   if (!areaIsFree_) return {nominal, {}};
   if (primitive.polygon.size() < 3) return {nominal, around(centreOf(place), storage).corners};

@@ -46,7 +46,8 @@ class AttributeLocation {
   [[nodiscard]] uint32_t firstCovered(const FragmentPlace& place) const;
 
   const std::vector<SubpixelPosition> pattern_;
-  const bool areaIsFree_, ignoreCentroid_, sampleAtCentre_;
+  const bool areaIsFree_;
+  const DeliberateError error_;
 };
 
 }  // namespace rasterdiff::rasterizer

@@ -19,7 +19,7 @@ bool facingIsFree(const std::vector<RasterVertex>& polygon) {
     deviation = std::max(deviation, a.deviation);
   }
   // Moving every corner by at most δ changes twice the area by at most δ · perimeter (L1) + 4 n δ².
-  return std::fabs(area) <= deviation * perimeter + 4 * static_cast<double>(polygon.size()) * deviation * deviation;
+  return deviation > 0 && std::fabs(area) <= deviation * perimeter + 4 * static_cast<double>(polygon.size()) * deviation * deviation;
 }
 
 // Of a triangle that is drawn as lines or points: its corners as they would be without clipping.
@@ -50,6 +50,7 @@ LinearFunction acrossPoint(double centre, double size, double deviation, double 
 
 BuiltInValues::BuiltInValues(const Scene& scene, const Rules& rules, RuleCounts* counts)
     : observed_(scene.builtIns), rules_(rules), shading_(sampleShading(scene)), sampleMask_(scene.state.sampleMask),
+      height_(scene.target.height),
       counts_(counts), coverage_(scene.state) {
   for (const BuiltIn builtIn : observed_) components_ += builtInComponents(builtIn);
 }
@@ -71,7 +72,8 @@ void BuiltInValues::setUp(const Primitive& primitive, const SetupTriangle& piece
 void BuiltInValues::setUp(const Primitive& primitive, const Figure& figure) {
   if (!any()) return;
   coverage_.setUp(primitive, &figure);
-  const bool front = primitive.frontFacing != (rules_.error == DeliberateError::FrontFacingInverted);
+  bool front = primitive.frontFacing != (rules_.error == DeliberateError::FrontFacingInverted);
+  if (rules_.error == DeliberateError::LinesBackFacing && primitive.assembled.count < 3) front = false;
   facing_ = exactly(front ? 1 : 0);
   if (rules_.open && primitive.assembled.count == 3 && facingIsFree(cornersOf(primitive, figure.a.deviation))) {
     facing_.bounds = {0, 1};
@@ -121,6 +123,11 @@ void BuiltInValues::fragCoord(const FragmentPlace& place, const AttributeLocatio
     x.value = place.x;
     y.value = place.y;
   }
+  if (rules_.error == DeliberateError::FragCoordYUp) y.value = height_ - y.value;
+  if (rules_.error == DeliberateError::FragCoordNotAtSample) {
+    x.value = centreOf(place).x;
+    y.value = centreOf(place).y;
+  }
   out[0] = toFloat(x);
   out[1] = toFloat(y);
   out[2] = toFloat(depth);
@@ -160,6 +167,8 @@ Interpolated BuiltInValues::sampleMask(const FragmentPlace& place, const Attribu
   }
   if (mask != all) count(Rule::CoverageMask);
   if (rules_.error == DeliberateError::SampleMaskInFull) mask = all;
+  if (rules_.error == DeliberateError::SampleMaskInOwnBit) mask = own;
+  if (rules_.error == DeliberateError::CoverageMaskShifted) mask = (mask << 1) & all;
   if (rules_.error == DeliberateError::CoverageMaskReversed) {
     uint32_t reversed = 0;
     for (uint32_t s = 0; s < location.samples(); ++s) reversed |= ((mask >> s) & 1U) << (location.samples() - 1 - s);

@@ -41,7 +41,7 @@ class BuiltInValues {
   const std::vector<BuiltIn> observed_;
   const Rules rules_;
   const SampleShading shading_;
-  const uint32_t sampleMask_;
+  const uint32_t sampleMask_, height_;
   RuleCounts* const counts_;
   size_t components_ = 0;
   CoverageFreedom coverage_;

@@ -17,7 +17,23 @@ Interpolated meanOf(std::span<const float> values, std::span<const Bounds> bound
   return toFloat({sum / count, lo / count - rounding, hi / count + rounding});
 }
 
-VaryingPlane resolved(const VaryingPlane& plane, bool sampleZero, RuleCounts& counts) {
+namespace {
+
+// Deliberate errors; `samples` holds a value every `stride`.
+float mistakenMean(std::span<const float> samples, size_t stride, float mean, DeliberateError error) {
+  const size_t n = (samples.size() + stride - 1) / stride;
+  const auto count = static_cast<float>(n);
+  switch (error) {
+    case DeliberateError::ResolveSampleZero: return samples[0];
+    case DeliberateError::ResolveDropsLast: return (mean * count - samples[(n - 1) * stride]) / (count - 1);
+    case DeliberateError::ResolveEightBits: return std::nearbyint(mean * 255) / 255;
+    default: return mean;
+  }
+}
+
+}  // namespace
+
+VaryingPlane resolved(const VaryingPlane& plane, DeliberateError error, RuleCounts& counts) {
   const Plane<float>& values = plane.values;
   const uint32_t components = values.components;
   VaryingPlane result{plane.name, Plane<float>(values.width, values.height, 1, components), std::nullopt};
@@ -29,7 +45,7 @@ VaryingPlane resolved(const VaryingPlane& plane, bool sampleZero, RuleCounts& co
       const size_t first = pixel * perPixel + c, count = perPixel - c;
       const std::span<const float> samples = std::span(values.data).subspan(first, count);
       const Interpolated mean = meanOf(samples, std::span(plane.bounds->data).subspan(first, count), components);
-      result.values.data[pixel * components + c] = sampleZero ? samples[0] : mean.value;
+      result.values.data[pixel * components + c] = mistakenMean(samples, components, mean.value, error);
       result.bounds->data[pixel * components + c] = mean.bounds;
       for (size_t s = components; s < count; s += components) differ = differ || samples[s] != samples[0];
     }

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "rasterizer/deliberate_error.hpp"
 #include "rasterizer/fragment/linear_function.hpp"
 #include "rasterizer/rule_counts.hpp"
 
@@ -12,7 +13,7 @@ namespace rasterdiff::rasterizer {
 /// of float32 sums, with a division or a product by 1 / n at either end, may make of it.
 [[nodiscard]] Interpolated meanOf(std::span<const float> values, std::span<const Bounds> bounds, size_t stride);
 
-/// Every component of every pixel. `sampleZero`: a deliberate error. Counts pixels whose samples differ.
-[[nodiscard]] VaryingPlane resolved(const VaryingPlane& plane, bool sampleZero, RuleCounts& counts);
+/// Every component of every pixel. Counts pixels whose samples differ.
+[[nodiscard]] VaryingPlane resolved(const VaryingPlane& plane, DeliberateError error, RuleCounts& counts);
 
 }  // namespace rasterdiff::rasterizer

@@ -1,5 +1,7 @@
 #include "rasterizer/lines/line_coverage.hpp"
 
+#include "rasterizer/mistakes/mistaken_line.hpp"
+
 namespace rasterdiff::rasterizer {
 
 bool ownsLineTies(const Rules& rules, int64_t dx, int64_t dy) {
@@ -17,6 +19,9 @@ bool ownsLineTies(const Rules& rules, int64_t dx, int64_t dy) {
 
 std::unique_ptr<LineCoverage> lineCoverage(const LineEnds& ends, const LineStyle& style, const Rules& rules) {
   if (ends.removed) return nullptr;
+  if (rules.error != DeliberateError::None) {
+    if (std::optional<std::unique_ptr<LineCoverage>> mistaken = mistakenLine(ends, style, rules)) return std::move(*mistaken);
+  }
   if (rules.choices.lineArithmetic == LineArithmetic::Float32Corners) return floatCornerCoverage(ends, style, rules);
   switch (lineKind(style, rules.limits)) {
     case LineKind::Rectangle:

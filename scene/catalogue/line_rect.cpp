@@ -80,6 +80,15 @@ void addLineRect(Entries& entries) {
                      {-1.5f, 0.5f, 0.5f, 1}, {-1.25f, -0.5f, 0.5f, 1}, {0.5f, 0.5f, 0.5f, 1}, {-0.25f, 0.5f, 0.5f, -1}});
     return scene;
   });
+  family.add("clipped-values", "what is left of a clipped line has the values it would have had unclipped", {"R8", "R9", "R27"}, [] {
+    Scene scene = square(64);
+    useLines(scene, kRect);
+    drawClip(scene, {{-3, -0.5f, 0.5f, 1}, {0.5f, 0.25f, 0.5f, 1}, {-0.5f, -0.75f, -1, 1}, {3, 0.75f, 2, 4}, {0.75f, 2, 0.5f, 1}, {0.25f, -4, 1, 2}});
+    addVarying(scene, "smooth", Interpolation::smooth, 2);
+    addVarying(scene, "screen", Interpolation::noperspective, 1);
+    addVarying(scene, "flat", Interpolation::flat, 1);
+    return scene;
+  });
   family.add("default-mode", "mode DEFAULT: rectangular where lines are strict", {"R27", "R28"}, [] {
     Scene scene = lines(32, {{3.5, 3.25}, {28.5, 11.5}, {5.25, 28.5}, {9.5, 6.25}, {28, 14}, {14, 28}});
     scene.state.lineRasterizationMode = LineRasterizationMode::DEFAULT;

@@ -22,7 +22,7 @@ void addLineWide(Entries& entries) {
     family.add(fmt::format("rect-{}-4x", width), "a rectangle of this width at four samples", {"R17", "R27", "R51"},
                [width] { return wide(RECTANGULAR, width, 4); });
   }
-  for (const float width : {1.5f, 2.0f, 2.5f, 3.0f, 8.0f}) {
+  for (const float width : {1.5f, 2.0f, 2.5f, 2.75f, 3.0f, 8.0f}) {
     family.add(fmt::format("bresenham-{}", width), "columns and rows of the rounded width, moved by half of it",
                {"R29", "R30"}, [width] { return wide(BRESENHAM, width, 1); });
   }

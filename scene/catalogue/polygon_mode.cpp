@@ -45,12 +45,17 @@ void addPolygonMode(Entries& entries) {
                  return scene;
                });
   }
-  family.add("zero-area", "a triangle without area is back-facing, and still has edges", {"R12", "R34"}, [] {
-    Scene scene = square(32);
-    scene.state.polygonMode = LINE;
-    draw(scene, {{4.5, 4.5}, {28.5, 4.5}, {16.5, 4.5}, {5.5, 9.5}, {5.5, 28.5}, {5.5, 9.5}});
-    return scene;
-  });
+  for (const CullMode cull : {CullMode::NONE, CullMode::FRONT, CullMode::BACK}) {
+    const std::string name = cull == CullMode::NONE ? "zero-area" : cull == CullMode::FRONT ? "zero-area-front" : "zero-area-back";
+    family.add(name, "a triangle without area is back-facing, and still has edges", {"R12", "R34"}, [cull] {
+      Scene scene = square(32);
+      scene.state.polygonMode = LINE;
+      scene.state.cullMode = cull;
+      draw(scene, {{4.5, 4.5}, {28.5, 4.5}, {16.5, 4.5}, {5.5, 9.5}, {5.5, 28.5}, {5.5, 9.5}});
+      if (cull != CullMode::BACK) scene.builtIns = {BuiltIn::FrontFacing};
+      return scene;
+    });
+  }
   family.add("clipped", "edges of a cut triangle, those along the planes among them", {"R3", "R34"}, [] {
     Scene scene = square(64);
     scene.state.polygonMode = LINE;
