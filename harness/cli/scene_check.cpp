@@ -6,6 +6,7 @@
 
 #include "harness/cli/pool.hpp"
 #include "harness/compare/compare.hpp"
+#include "harness/compare/placement/placement.hpp"
 #include "harness/report/npy.hpp"
 #include "harness/report/picture.hpp"
 #include "rasterizer/render.hpp"
@@ -118,8 +119,9 @@ Result<void> drawAndCompare(SceneEntry& entry, const Job& job, Subject& subject,
   entering("compare");
   const Stopwatch compareWatch;
   Result<SceneResult> result = compare(*scene, rules, *reference, *actual);
-  seconds.compare = compareWatch.seconds();
   if (!result) return tl::unexpected(result.error());
+  if (Result<void> judged = judgeJointly(*scene, rules, *reference, *actual, *result); !judged) return judged;
+  seconds.compare = compareWatch.seconds();
   entry.result = std::move(*result);
   entry.result.id = job.id;
   entry.result.seconds = seconds;

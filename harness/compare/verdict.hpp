@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/compare/placement/placement_answer.hpp"
+
 namespace rasterdiff::harness {
 
 enum class Verdict : uint8_t { Same, Allowed, Differs, Skipped, Crashed, TimedOut };
@@ -59,6 +61,7 @@ struct SceneResult {
   std::vector<SampleDifference> differences;   ///< the first ones, Differs before Allowed; counts above are complete
   std::vector<ValueStats> values;
   std::map<std::string, uint64_t> ruleCoverage;  ///< rule name → times it decided
+  std::optional<PlacementAnswer> placement;  ///< where vertex positions are a freedom that the driver used
   Seconds seconds;
   BaselineStatus baseline = BaselineStatus::None;
   std::string baselineReason;  ///< of the entry: the driver's bug in a sentence

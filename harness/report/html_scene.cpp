@@ -102,6 +102,7 @@ void writeFacts(Out out, const SceneEntry& entry) {
     }
     fmt::format_to(out, "</p>\n");
   }
+  if (result.placement) fmt::format_to(out, "<p>Vertices: {}.</p>\n", escaped(describe(*result.placement)));
   if (!result.ruleCoverage.empty()) {
     std::vector<std::pair<std::string, uint64_t>> rules(result.ruleCoverage.begin(), result.ruleCoverage.end());
     std::ranges::stable_sort(rules, {}, [](const auto& rule) { return ruleNumber(rule.first); });

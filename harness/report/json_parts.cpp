@@ -113,6 +113,21 @@ Json jsonOf(const Limits& limits) {
           {"maxInterpolationOffset", limits.maxInterpolationOffset}};
 }
 
+Json jsonOf(const PlacementAnswer& answer) {
+  Json json{{"state", toString(answer.state)},       {"gridBits", answer.gridBits},
+            {"primitives", answer.primitives},       {"vertices", answer.vertices},
+            {"requirements", answer.requirements},   {"leftOut", answer.leftOut},
+            {"movedVertices", answer.movedVertices}, {"moved", Json::array()},
+            {"conflict", answer.conflict},           {"why", answer.why}};
+  for (const VertexPlacement& moved : answer.moved) {
+    json["moved"].push_back({{"draw", moved.draw},
+                             {"vertex", moved.vertex},
+                             {"nominal", {moved.nominalX, moved.nominalY}},
+                             {"placed", {moved.x, moved.y}}});
+  }
+  return json;
+}
+
 Json jsonOf(const SceneResult& result) {
   Json json{{"id", result.id}, {"verdict", toString(result.verdict)}};
   if (!result.reason.empty()) json["reason"] = result.reason;
@@ -133,6 +148,7 @@ Json jsonOf(const SceneResult& result) {
   for (const SampleDifference& difference : result.differences) {
     json["differences"].push_back(jsonOfDifference(difference));
   }
+  if (result.placement) json["placement"] = jsonOf(*result.placement);
   json["ruleCoverage"] = Json(result.ruleCoverage);
   json["seconds"] = jsonOf(result.seconds);
   return json;

@@ -9,6 +9,7 @@ namespace rasterdiff::harness {
 
 using Json = nlohmann::ordered_json;
 
+[[nodiscard]] Json jsonOf(const PlacementAnswer& answer);
 [[nodiscard]] Json jsonOf(const SceneResult& result);
 [[nodiscard]] Json jsonOf(const SceneEntry& entry);  ///< the result and what is known of its scene; no pictures
 [[nodiscard]] Json jsonOf(const Limits& limits);

@@ -67,6 +67,28 @@ SampleDifference differenceIn(const Json& json) {
           json.at("actualCount")};
 }
 
+PlacementAnswer placementIn(const Json& json) {
+  using State = PlacementAnswer::State;
+  PlacementAnswer answer;
+  for (const State state : {State::Explained, State::Impossible, State::Undecided}) {
+    if (toString(state) == json.at("state")) answer.state = state;
+  }
+  answer.gridBits = json.at("gridBits");
+  answer.primitives = json.at("primitives");
+  answer.vertices = json.at("vertices");
+  answer.requirements = json.at("requirements");
+  answer.leftOut = json.at("leftOut");
+  answer.movedVertices = json.at("movedVertices");
+  for (const Json& moved : json.at("moved")) {
+    const Json& nominal = moved.at("nominal");
+    const Json& placed = moved.at("placed");
+    answer.moved.push_back({moved.at("draw"), moved.at("vertex"), nominal.at(0), nominal.at(1), placed.at(0), placed.at(1)});
+  }
+  json.at("conflict").get_to(answer.conflict);
+  answer.why = json.at("why");
+  return answer;
+}
+
 SceneResult resultIn(const Json& json) {
   SceneResult result;
   result.id = json.at("id");
@@ -81,6 +103,7 @@ SceneResult resultIn(const Json& json) {
   json.at("ruleCoverage").get_to(result.ruleCoverage);
   for (const auto& [name, value] : json.at("values").items()) result.values.push_back(valueIn(name, value));
   for (const Json& difference : json.at("differences")) result.differences.push_back(differenceIn(difference));
+  if (json.contains("placement")) result.placement = placementIn(json.at("placement"));
   const Json& seconds = json.at("seconds");
   result.seconds = {seconds.at("reference"), seconds.at("driver"), seconds.at("compare")};
   return result;

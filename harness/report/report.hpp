@@ -68,6 +68,7 @@ struct Totals {
   uint64_t values = 0, valuesSame = 0, valuesAllowed = 0, valuesDiffering = 0;
   double maxUlp = 0, maxRatio = 0;
   std::map<std::string, uint64_t> freedoms, ruleCoverage;
+  std::map<PlacementAnswer::State, uint64_t> placements;  ///< scenes whose vertices had to be placed jointly
   std::map<std::string, ValueStats> byValue;  ///< "depth", each varying's name
   std::map<std::string, std::string> worstAt;  ///< value name → address of the scene of `byValue[...].worst`
   Seconds seconds;

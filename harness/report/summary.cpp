@@ -188,6 +188,22 @@ void writeValidation(Out out, const Report& report) {
   }
 }
 
+// "placed    3 scenes: one placement of the vertices explains all samples of each (12 vertices moved)"
+void writePlacements(Out out, const Report& report, const Totals& totals) {
+  for (const auto& [state, scenes] : totals.placements) {
+    if (state == PlacementAnswer::State::Explained) {
+      uint64_t moved = 0;
+      for (const SceneEntry& entry : report.scenes) {
+        if (entry.result.placement && entry.result.placement->state == state) moved += entry.result.placement->movedVertices;
+      }
+      fmt::format_to(out, "placed    {}: one placement of the vertices explains all samples together ({} moved)\n",
+                     counted(scenes, "scene"), grouped(moved));
+      continue;
+    }
+    fmt::format_to(out, "placed    {}: {}\n", counted(scenes, "scene"), toString(state));
+  }
+}
+
 }  // namespace
 
 std::string summaryText(const Report& report) {
@@ -197,6 +213,7 @@ std::string summaryText(const Report& report) {
   writeHead(out, report);
   writeTable(out, report, totals);
   writeCounts(out, "freedoms", totals.freedoms, false);
+  writePlacements(out, report, totals);
   writeCounts(out, "decided", totals.ruleCoverage, true);
   writeValues(out, totals);
   fmt::format_to(out, "time      reference {}, driver {}, compare {}; wall {} on {}; {} drawn\n",

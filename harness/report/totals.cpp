@@ -31,6 +31,29 @@ bool addStats(ValueStats& sum, const ValueStats& more) {
   return worse;
 }
 
+/// Batches share no vertices: each has its own answer, the worst state speaks for all.
+void addPlacement(std::optional<PlacementAnswer>& sum, std::optional<PlacementAnswer>& more) {
+  if (!more) return;
+  if (!sum) {
+    sum = std::move(more);
+    return;
+  }
+  const auto gravity = [](const PlacementAnswer& answer) {
+    return answer.state == PlacementAnswer::State::Impossible ? 2 : answer.state == PlacementAnswer::State::Undecided ? 1 : 0;
+  };
+  if (gravity(*more) > gravity(*sum)) {
+    sum->state = more->state;
+    sum->conflict = std::move(more->conflict);
+    sum->why = std::move(more->why);
+  }
+  sum->gridBits = std::max(sum->gridBits, more->gridBits);
+  sum->primitives += more->primitives;
+  sum->vertices += more->vertices;
+  sum->requirements += more->requirements;
+  sum->leftOut += more->leftOut;
+  sum->movedVertices += more->movedVertices;
+}
+
 /// Same < Skipped < Allowed < Differs < TimedOut < Crashed: which of two batches speaks for the family.
 int gravity(Verdict verdict) {
   switch (verdict) {
@@ -75,6 +98,7 @@ void addEntry(Totals& totals, const SceneEntry& entry) {
   totals.coveredSamples += result.coveredSamples;
   if (result.samples > 0) totals.primitives += entry.primitives;
   addCounts(totals.freedoms, result.freedoms);
+  if (result.placement) ++totals.placements[result.placement->state];
   addCounts(totals.ruleCoverage, result.ruleCoverage);
   for (const ValueStats& value : result.values) {
     totals.values += value.compared;
@@ -131,6 +155,7 @@ void addBatch(SceneEntry& sum, SceneEntry batch) {
   into.differing += from.differing;
   into.coveredSamples += from.coveredSamples;
   addCounts(into.freedoms, from.freedoms);
+  addPlacement(into.placement, from.placement);
   addCounts(into.ruleCoverage, from.ruleCoverage);
   for (ValueStats& value : from.values) {
     auto same = std::find_if(into.values.begin(), into.values.end(), [&](const auto& v) { return v.name == value.name; });
