@@ -1,0 +1,113 @@
+// The exact value kernel: batches of triangles through set-up, rows and planes, once for each instruction set; bands for
+// threads. Varyings are value_shading.cpp's.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "rasterizer/kernels/value_kernel.cpp"
+#define HWY_DISABLED_TARGETS HWY_SSSE3
+#include "hwy/foreach_target.h"
+// After foreach_target.h:
+#include <algorithm>
+
+#include "hwy/highway.h"
+#include "rasterizer/kernels/value_kernel.hpp"
+#include "rasterizer/kernels/value_rows-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rasterdiff::rasterizer {
+namespace HWY_NAMESPACE {
+
+template <class P>
+void SetUpBatch(const ValueTriangles& triangles, size_t first, size_t size, const ValueView& view, ValueBatch& b) {
+  const SnappedTriangle* HWY_RESTRICT t = triangles.positions.data() + first;
+  const float* HWY_RESTRICT z = P::kDepth ? triangles.depth.data() + 3 * first : nullptr;
+  b.size = 0;
+  size_t i = 0;
+  for (; i + kLanes <= size; i += kLanes) SetUpValues<P::kDepth>(t + i, P::kDepth ? z + 3 * i : nullptr, i, view, b);
+  if (i == size) return;
+  SnappedTriangle rest[kLanes] = {};  // the others have no area
+  float restDepth[3 * kLanes] = {};
+  std::copy(t + i, t + size, rest);
+  if (P::kDepth) std::copy(z + 3 * i, z + 3 * size, restDepth);
+  SetUpValues<P::kDepth>(rest, restDepth, i, view, b);
+}
+
+template <class P>
+void DrawAll(const ValueTriangles& triangles, const ValueView& view) {
+  ValueBatch b;
+  Chunks chunks;
+  for (size_t first = 0; first < triangles.positions.size(); first += ValueBatch::kSize) {
+    const auto number = static_cast<uint32_t>(first + 1);
+    SetUpBatch<P>(triangles, first, std::min(ValueBatch::kSize, triangles.positions.size() - first), view, b);
+    for (size_t k = 0; k < b.size; ++k) {
+      const size_t i = b.places[k];
+      if (HWY_LIKELY(b.far[i] == 0)) {
+        FindChunks<P>(view, b, i, number, chunks);
+      } else {
+        DrawChunks<P>(view, b, chunks, number);
+        drawFarTriangle(triangles, first + i, view);
+      }
+    }
+    DrawChunks<P>(view, b, chunks, number);
+  }
+}
+
+void DrawPlanes(const ValueTriangles& triangles, const ValueView& view) {
+  const unsigned which = (view.primitive != nullptr ? 1 : 0) | (view.count != nullptr ? 2 : 0) | (view.depth != nullptr ? 4 : 0);
+  switch (which) {
+    case 1: return DrawAll<Planes<true, false, false>>(triangles, view);
+    case 2: return DrawAll<Planes<false, true, false>>(triangles, view);
+    case 3: return DrawAll<Planes<true, true, false>>(triangles, view);
+    case 4: return DrawAll<Planes<false, false, true>>(triangles, view);
+    case 5: return DrawAll<Planes<true, false, true>>(triangles, view);
+    case 6: return DrawAll<Planes<false, true, true>>(triangles, view);
+    case 7: return DrawAll<Planes<true, true, true>>(triangles, view);
+    default: return;
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace rasterdiff::rasterizer
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include <thread>
+#include <vector>
+
+#include "rasterizer/kernels/value_shading.hpp"
+
+namespace rasterdiff::rasterizer {
+
+HWY_EXPORT(DrawPlanes);
+
+ValueView valueView(ValueTarget& target, uint32_t firstRow, uint32_t endRow) {
+  ValueView v;
+  if (target.needs().primitive) v.primitive = target.primitive.data();
+  if (target.needs().count) v.count = target.count.data();
+  if (target.needs().depth) v.depth = target.depth.data();
+  v.width = target.width(), v.firstRow = firstRow, v.endRow = endRow;
+  v.samples = target.samples(), v.stride = target.stride();
+  v.minX = v.minY = kSubpixelOne;
+  for (size_t s = 0; s < v.samples; ++s) {
+    v.x[s] = target.locations()[s].x * kSampleUnit, v.y[s] = target.locations()[s].y * kSampleUnit;
+    v.minX = std::min(v.minX, v.x[s]), v.maxX = std::max(v.maxX, v.x[s]);
+    v.minY = std::min(v.minY, v.y[s]), v.maxY = std::max(v.maxY, v.y[s]);
+  }
+  return v;
+}
+
+void drawValues(const ValueTriangles& triangles, ValueTarget& target, unsigned threads) {
+  constexpr uint32_t kLeastRows = 16;  // of a band
+  const auto drawBand = [&](uint32_t firstRow, uint32_t endRow) {
+    HWY_DYNAMIC_DISPATCH(DrawPlanes)(triangles, valueView(target, firstRow, endRow));
+    if (!target.varyings.empty()) shadeRows(triangles, target, firstRow, endRow);
+  };
+  if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
+  threads = std::min(threads, std::max(1u, target.height() / kLeastRows));
+  std::vector<std::thread> workers;
+  const auto bandStart = [&](unsigned k) { return static_cast<uint32_t>(uint64_t{target.height()} * k / threads); };
+  for (unsigned k = 1; k < threads; ++k) workers.emplace_back(drawBand, bandStart(k), bandStart(k + 1));
+  drawBand(0, bandStart(1));
+  for (std::thread& worker : workers) worker.join();
+}
+
+}  // namespace rasterdiff::rasterizer
+#endif

@@ -1,0 +1,28 @@
+// The fast kernel for primitive index, overdraw count, depth and varyings: exact coverage, values within a stated bound.
+//
+// Coverage equals coverage_oracle.hpp for all int32 vertices. A linear value is a plane through the three vertex values,
+// anchored at vertex 0, evaluated in double precision and rounded once to float32; a perspective one is the quotient of two
+// such planes. How far from the exact value that can be is proved in value_setup-inl.h and computed by the bounds below: half a
+// unit in the last place of float32 and next to nothing for well-shaped triangles, what conditioning demands for needles.
+#pragma once
+
+#include <array>
+
+#include "rasterizer/kernels/value_target.hpp"
+
+namespace rasterdiff::rasterizer {
+
+/// Draws all triangles in order into the planes that the target has. The same planes, bit for bit, for every instruction
+/// set and thread count (1 = on the calling thread; 0 = one for each core; threads share the target by bands of rows).
+/// Varyings are evaluated once a sample, after the last triangle: the planes must be clear, or hold what earlier calls
+/// with the same triangles drew.
+void drawValues(const ValueTriangles& triangles, ValueTarget& target, unsigned threads = 1);
+
+/// Bound on |double - exact| of a linear value at point `p` (1/256 pixel), before it is rounded to float32: 2^-49 times the
+/// sum of the magnitudes that cancel in it. For |coordinates| <= 2^22; infinite where the triangle has no area.
+[[nodiscard]] double linearValueBound(const SnappedTriangle& triangle, SubpixelPosition p, const std::array<double, 3>& values);
+/// The same of a perspective value; infinite where the denominator may be zero.
+[[nodiscard]] double perspectiveValueBound(const SnappedTriangle& triangle, SubpixelPosition p, const std::array<float, 3>& values,
+                                           const std::array<float, 3>& reciprocalW);
+
+}  // namespace rasterdiff::rasterizer

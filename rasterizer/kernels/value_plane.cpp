@@ -1,0 +1,92 @@
+// Planes one at a time: for triangles beyond the fast range, and for the bounds.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rasterizer/kernels/integer_spans.hpp"
+#include "rasterizer/kernels/value_kernel.hpp"
+#include "rasterizer/kernels/value_view.hpp"
+
+namespace rasterdiff::rasterizer {
+namespace {
+
+__extension__ using Wide = __int128;  // differences < 2^33, products < 2^66
+
+struct Edges {
+  double x1, y1, x2, y2, determinant;
+
+  explicit Edges(const SnappedTriangle& t) {
+    const Wide e1x = Wide{t.v[1].x} - t.v[0].x, e1y = Wide{t.v[1].y} - t.v[0].y;
+    const Wide e2x = Wide{t.v[2].x} - t.v[0].x, e2y = Wide{t.v[2].y} - t.v[0].y;
+    x1 = static_cast<double>(e1x), y1 = static_cast<double>(e1y), x2 = static_cast<double>(e2x), y2 = static_cast<double>(e2y);
+    determinant = static_cast<double>(e1x * e2y - e1y * e2x);
+  }
+};
+
+double pixels(int32_t subpixels) { return static_cast<double>(subpixels) / kSubpixelOne; }
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+LinearPlane linearPlane(const SnappedTriangle& triangle, const std::array<double, 3>& values) {
+  const Edges e(triangle);
+  const double d1 = values[1] - values[0], d2 = values[2] - values[0], q = kSubpixelOne / e.determinant;
+  return {values[0], (d1 * e.y2 - d2 * e.y1) * q, (d2 * e.x1 - d1 * e.x2) * q, pixels(triangle.v[0].x), pixels(triangle.v[0].y)};
+}
+
+void drawFarTriangle(const ValueTriangles& triangles, size_t place, const ValueView& view) {
+  const SnappedTriangle& t = triangles.positions[place];
+  LinearPlane z;
+  if (view.depth != nullptr) z = linearPlane(t, {triangles.depth[3 * place], triangles.depth[3 * place + 1], triangles.depth[3 * place + 2]});
+  const auto [top, bottom] = std::minmax({t.v[0].y, t.v[1].y, t.v[2].y});
+  const int64_t first = std::max<int64_t>(static_cast<int64_t>(view.firstRow), top >> kSubpixelBits);
+  const int64_t last = std::min<int64_t>(static_cast<int64_t>(view.endRow) - 1, bottom >> kSubpixelBits);
+  for (int64_t y = first; y <= last; ++y)
+    for (size_t s = 0; s < view.samples; ++s) {
+      const SampleLocation at{static_cast<uint8_t>(view.x[s] / kSampleUnit), static_cast<uint8_t>(view.y[s] / kSampleUnit)};
+      const IntegerSpan span = integerSpan(t, y, at, static_cast<int64_t>(view.width));
+      const size_t row = (static_cast<size_t>(y) * view.samples + s) * view.stride;
+      const double rowDepth = z.a0 + z.gy * (static_cast<double>(y) + view.y[s] / kSubpixelOne - z.y0);
+      for (int64_t x = span.begin; x < span.end; ++x) {
+        const size_t i = row + static_cast<size_t>(x);
+        if (view.depth != nullptr) {
+          const auto depth = static_cast<float>(rowDepth + z.gx * (static_cast<double>(x) + view.x[s] / kSubpixelOne - z.x0));
+          if (!(depth < view.depth[i])) continue;
+          view.depth[i] = depth;
+        }
+        if (view.primitive != nullptr) view.primitive[i] = static_cast<uint32_t>(place + 1);
+        if (view.count != nullptr) ++view.count[i];
+      }
+    }
+}
+
+double linearValueBound(const SnappedTriangle& triangle, SubpixelPosition p, const std::array<double, 3>& values) {
+  const Edges e(triangle);
+  if (e.determinant == 0) return kInfinity;
+  const double d1 = std::fabs(values[1] - values[0]), d2 = std::fabs(values[2] - values[0]), area = std::fabs(e.determinant);
+  const double x = (std::fabs(pixels(p.x) - pixels(triangle.v[0].x)) + 14) * kSubpixelOne;
+  const double y = std::fabs(pixels(p.y) - pixels(triangle.v[0].y)) * kSubpixelOne;
+  const double alongX = (d1 * std::fabs(e.y2) + d2 * std::fabs(e.y1)) / area * x;
+  const double alongY = (d2 * std::fabs(e.x1) + d1 * std::fabs(e.x2)) / area * y;
+  return 0x1p-49 * (std::fabs(values[0]) + alongX + alongY);
+}
+
+double perspectiveValueBound(const SnappedTriangle& triangle, SubpixelPosition p, const std::array<float, 3>& values,
+                             const std::array<float, 3>& reciprocalW) {
+  std::array<double, 3> numerators{}, denominators{};
+  for (size_t i = 0; i < 3; ++i) {
+    denominators[i] = reciprocalW[i];
+    numerators[i] = denominators[i] * double{values[i]};
+  }
+  const auto at = [&](const std::array<double, 3>& vertices) {
+    const LinearPlane f = linearPlane(triangle, vertices);
+    return f.a0 + f.gx * (pixels(p.x) - f.x0) + f.gy * (pixels(p.y) - f.y0);
+  };
+  const double d = std::fabs(at(denominators)), value = std::fabs(at(numerators)) / d;
+  const double boundN = linearValueBound(triangle, p, numerators), boundD = linearValueBound(triangle, p, denominators);
+  if (!(d > 2 * boundD)) return kInfinity;
+  return (boundN + value * boundD) / (d - 2 * boundD) + 0x1p-51 * value;
+}
+
+}  // namespace rasterdiff::rasterizer

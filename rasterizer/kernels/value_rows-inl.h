@@ -1,0 +1,158 @@
+// From lines to runs: for each row of a triangle the chunks of eight pixels that it covers, as one flat list over a whole
+// batch, so that no loop a triangle or a row mispredicts its end; and the loop over that list that writes the planes.
+#if defined(RASTERDIFF_VALUE_ROWS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RASTERDIFF_VALUE_ROWS_INL_H
+#undef RASTERDIFF_VALUE_ROWS_INL_H
+#else
+#define RASTERDIFF_VALUE_ROWS_INL_H
+#endif
+
+#include "rasterizer/kernels/value_setup-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rasterdiff::rasterizer {
+namespace HWY_NAMESPACE {
+
+inline constexpr size_t kChunk = 8;  // pixels
+
+/// Chunks with a covered pixel, triangle by triangle: element of the planes | mask of pixels << 40 | place << 48.
+/// Elements < 2^14 · 2^4 · (2^14 + 2^4) < 2^33.
+struct Chunks {
+  static constexpr size_t kSize = 1024, kRoom = kSize - 16;
+  uint64_t codes[kSize];
+  double depth[kSize];  // at the chunk's first pixel
+  size_t size = 0;
+};
+
+/// Which planes are written.
+template <bool kPrimitiveV, bool kCountV, bool kDepthV>
+struct Planes {
+  static constexpr bool kPrimitive = kPrimitiveV, kCount = kCountV, kDepth = kDepthV;
+};
+
+#if HWY_TARGET <= HWY_AVX3
+using ChunkF = hn::CappedTag<float, 8>;
+using ChunkU = hn::CappedTag<uint32_t, 8>;
+#else
+using ChunkF = hn::CappedTag<float, 4>;
+using ChunkU = hn::CappedTag<uint32_t, 4>;
+#endif
+inline constexpr size_t kChunkLanes = hn::MaxLanes(ChunkF());
+
+HWY_INLINE hn::Mask<ChunkF> ChunkMask(uint32_t bits) {
+#if HWY_TARGET <= HWY_AVX3
+  return hn::Mask<ChunkF>{static_cast<__mmask8>(bits)};
+#else
+  const auto byte = static_cast<uint8_t>(bits & ((1u << kChunkLanes) - 1));
+  return hn::LoadMaskBits(ChunkF(), &byte);
+#endif
+}
+
+/// Depth of pixels [first, first + kChunkLanes) of a chunk.
+HWY_INLINE hn::Vec<ChunkF> ChunkDepth(double chunk, double gx, size_t first) {
+  const D d;
+#if HWY_TARGET <= HWY_AVX3
+  (void)first;
+  return hn::DemoteTo(ChunkF(), hn::Set(d, chunk) + hn::Set(d, gx) * hn::Iota(d, 0));
+#else
+  const hn::Rebind<float, D> part;
+  alignas(16) float depth[4 + kLanes];
+  for (size_t k = 0; k < kChunkLanes; k += kLanes)
+    hn::Store(hn::DemoteTo(part, hn::Set(d, chunk) + hn::Set(d, gx) * hn::Iota(d, static_cast<double>(first + k))), part, depth + k);
+  return hn::Load(ChunkF(), depth);
+#endif
+}
+
+/// Whole aligned chunks are loaded and stored: a load that overlaps a masked or a shifted store would wait for it.
+/// Writes pixels [i, i + kChunkLanes) of the planes where `mask` says so and depth passes.
+template <class P>
+HWY_INLINE void WriteChunk(const ValueView& view, size_t i, hn::Mask<ChunkF> mask, hn::Vec<ChunkF> depth, uint32_t number) {
+  const ChunkF df;
+  const ChunkU du;
+  if (P::kDepth) {
+    const auto old = hn::Load(df, view.depth + i);
+    mask = hn::And(mask, hn::Lt(depth, old));
+    hn::Store(hn::IfThenElse(mask, depth, old), df, view.depth + i);
+  }
+  const auto which = hn::RebindMask(du, mask);
+  if (P::kPrimitive) hn::Store(hn::IfThenElse(which, hn::Set(du, number), hn::Load(du, view.primitive + i)), du, view.primitive + i);
+  if (P::kCount) {
+    const auto old = hn::Load(du, view.count + i);
+    hn::Store(hn::IfThenElse(which, old + hn::Set(du, 1), old), du, view.count + i);
+  }
+}
+
+/// `number` of the triangle at place 0.
+template <class P>
+HWY_NOINLINE void DrawChunks(const ValueView& view, const ValueBatch& b, Chunks& chunks, uint32_t number) {
+  for (size_t k = 0; k < chunks.size; ++k) {
+    const uint64_t code = chunks.codes[k];
+    const size_t element = code & ((uint64_t{1} << 40) - 1), place = code >> 48;
+    const auto bits = static_cast<uint32_t>(code >> 40 & 0xFF);
+    for (size_t first = 0; first < kChunk; first += kChunkLanes) {
+      hn::Vec<ChunkF> depth = hn::Zero(ChunkF());
+      if (P::kDepth) depth = ChunkDepth(chunks.depth[k], b.gx[place], first);
+      WriteChunk<P>(view, element + first, ChunkMask(bits >> first), depth, number + static_cast<uint32_t>(place));
+    }
+  }
+  chunks.size = 0;
+}
+
+/// Left and right bounds of rows `r` of place `i`, sample `s`, cut by the box; whole numbers.
+HWY_INLINE void RowBounds(const ValueBatch& b, size_t i, size_t s, V r, V& begin, V& end) {
+  const D d;
+  const auto line = [&](size_t k) { return hn::MulAdd(hn::Set(d, b.slope[k][i]), r, hn::Set(d, b.offset[s][k][i])); };
+  begin = hn::Round(hn::Max(hn::Max(line(0), line(1)), hn::Set(d, b.firstColumn[i])));
+  end = hn::Round(hn::Min(hn::Min(line(2), line(3)), hn::Set(d, b.endColumn[i])));
+}
+
+/// Bits [from, to) of eight; both are clamped to [0, 8].
+HWY_INLINE hn::Vec<DU> BitsBetween(V from, V to) {
+  const D d;
+  const DU du;
+  const V zero = hn::Zero(d), eight = hn::Set(d, 8), two52 = hn::Set(d, 4503599627370496.0);
+  const auto bound = [&](V v) { return hn::And(hn::BitCast(du, hn::Min(hn::Max(v, zero), eight) + two52), hn::Set(du, 15)); };
+  const auto ones = hn::Set(du, 0xFF);
+  return hn::And(hn::AndNot(hn::Shl(ones, bound(to)), hn::Shl(ones, bound(from))), ones);
+}
+
+/// Appends the chunks of place `i`, drawing what does not fit.
+template <class P>
+HWY_INLINE void FindChunks(const ValueView& view, const ValueBatch& b, size_t i, uint32_t number, Chunks& chunks) {
+  const D d;
+  const DU du;
+  const V two52 = hn::Set(d, 4503599627370496.0), eight = hn::Set(d, 8), eighth = hn::Set(d, 0.125);
+  const V endRow = hn::Set(d, b.endRow[i]);
+  const auto low40 = hn::Set(du, (uint64_t{1} << 40) - 1), place = hn::Set(du, uint64_t{i} << 48);
+  const double rowElements = static_cast<double>(view.samples * view.stride);
+  for (double row = b.firstRow[i]; row < b.endRow[i]; row += static_cast<double>(kLanes)) {
+    const V r = hn::Iota(d, row);
+    for (size_t s = 0; s < view.samples; ++s) {
+      V begin, end;
+      RowBounds(b, i, s, r, begin, end);
+      V column = hn::Floor(begin * eighth) * eight;  // of the chunk
+      M more = hn::And(hn::Lt(begin, end), hn::Lt(r, endRow));
+      const V element = hn::MulAdd(r, hn::Set(d, rowElements), hn::Set(d, static_cast<double>(s * view.stride))) + two52;
+      V rowDepth = hn::Zero(d);
+      if (P::kDepth)
+        rowDepth = hn::Set(d, b.a0[i]) + hn::Set(d, b.gy[i]) * (r + hn::Set(d, view.y[s] / 256 - b.y0[i]));
+      const V fromAnchor = hn::Set(d, P::kDepth ? view.x[s] / 256 - b.x0[i] : 0);
+      do {
+        const auto bits = hn::ShiftLeft<40>(BitsBetween(begin - column, end - column));
+        const auto code = hn::Or(hn::Or(hn::And(hn::BitCast(du, element + column), low40), bits), place);
+        size_t size = chunks.size;
+        if (P::kDepth)
+          Append(hn::BitCast(du, rowDepth + hn::Set(d, b.gx[i]) * (fromAnchor + column)), more, reinterpret_cast<uint64_t*>(chunks.depth), size);
+        Append(code, more, chunks.codes, chunks.size);
+        if (HWY_UNLIKELY(chunks.size > Chunks::kRoom)) DrawChunks<P>(view, b, chunks, number);
+        column = column + eight;
+        more = hn::And(more, hn::Lt(column, end));
+      } while (!hn::AllFalse(d, more));
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace rasterdiff::rasterizer
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,35 @@
+// What the value kernels need to know of a target, as the doubles and pointers that they compute with.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "rasterizer/kernels/value_target.hpp"
+
+namespace rasterdiff::rasterizer {
+
+/// A band of rows of a target; pointers are null for planes that it has not.
+struct ValueView {
+  uint32_t* primitive = nullptr;
+  uint32_t* count = nullptr;
+  float* depth = nullptr;
+  double width = 0, firstRow = 0, endRow = 0;  ///< pixels
+  size_t samples = 1, stride = 0;
+  double x[16] = {}, y[16] = {};                  ///< sample offsets in 1/256 pixel
+  double minX = 0, maxX = 0, minY = 0, maxY = 0;  ///< over the samples
+};
+
+/// Rows [firstRow, endRow) of the target.
+[[nodiscard]] ValueView valueView(ValueTarget& target, uint32_t firstRow, uint32_t endRow);
+
+/// The plane of a linear value in doubles, evaluated as value_setup-inl.h says; distances in pixels.
+struct LinearPlane {
+  double a0 = 0, gx = 0, gy = 0, x0 = 0, y0 = 0;
+};
+[[nodiscard]] LinearPlane linearPlane(const SnappedTriangle& triangle, const std::array<double, 3>& values);
+
+/// Draws one triangle with any int32 vertices: triangle `place` of the list, without varyings.
+void drawFarTriangle(const ValueTriangles& triangles, size_t place, const ValueView& view);
+
+}  // namespace rasterdiff::rasterizer

@@ -1,0 +1,48 @@
+// Triangles with values at their vertices, and targets to draw them into, for the tests of the value kernels.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include <hwy/targets.h>
+
+#include "kernel_families.hpp"
+#include "rasterizer/kernels/value_target.hpp"
+
+namespace rasterdiff::rasterizer::testing {
+
+/// Owns what ValueTriangles refers to.
+struct ValueLoad {
+  std::vector<SnappedTriangle> positions;
+  std::vector<float> depth, reciprocalW, values;
+  std::vector<ValueKind> kinds;
+
+  [[nodiscard]] ValueTriangles view() const { return {positions, depth, reciprocalW, values, kinds}; }
+};
+
+/// Depth in [0, 1), w in [1/8, 8], values in [-1, 1] for each of `kinds`.
+inline ValueLoad makeLoad(std::vector<SnappedTriangle> positions, std::vector<ValueKind> kinds, Prng& random) {
+  ValueLoad load;
+  load.positions = std::move(positions);
+  load.kinds = std::move(kinds);
+  for (size_t i = 0; i < 3 * load.positions.size(); ++i) {
+    load.depth.push_back(static_cast<float>(random.between(0.0, 0.999)));
+    load.reciprocalW.push_back(1 / static_cast<float>(random.between(0.125, 8.0)));
+    for (size_t c = 0; c < load.kinds.size(); ++c) load.values.push_back(static_cast<float>(random.between(-1.0, 1.0)));
+  }
+  return load;
+}
+
+/// Runs `test` once for each instruction set that was built and is here.
+template <class F>
+void onEveryTarget(const F& test) {
+  for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    SCOPED_TRACE(hwy::TargetName(target));
+    hwy::SetSupportedTargetsForTest(target);
+    test();
+  }
+  hwy::SetSupportedTargetsForTest(0);
+}
+
+}  // namespace rasterdiff::rasterizer::testing
