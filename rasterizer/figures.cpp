@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rasterizer/lines/line_coverage.hpp"
 #include "rasterizer/lines/line_shape.hpp"
 #include "rasterizer/lines/stipple.hpp"
 
@@ -119,7 +120,11 @@ void FigureMaker::addLine(Primitive& primitive, const LineEnds& ends, bool ofPol
   figure.size = style.width;
   figure.optional = optional;
   figure.shape = makeLineShape(ends, style, rules_);
-  if (style.stipple.enabled) stipple_ = stippleAfter(ends, style, rules_);
+  if (style.stipple.enabled) {
+    stipple_ = stippleAfter(ends, style, rules_);
+    style.stipple.enabled = false;
+    if (!ends.removed) figure.solid = lineCoverage(ends, style, rules_);
+  }
   if (figure.shape != nullptr) primitive.figures.push_back(std::move(figure));
 }
 

@@ -181,6 +181,7 @@ bool FrameWriter::alphaKeeps(const FragmentPlace& place) {
 }
 
 bool FrameWriter::passesDepth(size_t index, float fragment) {
+  if (frame_.primitive.data[index] != 0 && fragment == frame_.depth->data[index]) ++counts_[Rule::Invariance];
   if (depthTestPasses(state_.depthCompareOp, fragment, frame_.depth->data[index])) return true;
   ++counts_[Rule::DepthTest];
   return false;

@@ -19,12 +19,15 @@ class DrawGeometry {
         volume_(clipVolume(scene.state, draw, rules.error)),
         pieceMaker_(scene.state, rules, counts),
         figureMaker_(scene, rules, draw, stage_, volume_, targetArea(scene, viewportIndex_, rules.error), counts) {
+    const Viewport& viewport = viewportOf(scene, viewportIndex_);
+    const Viewport whole{0, 0, static_cast<float>(scene.target.width), static_cast<float>(scene.target.height), 0, 1};
+    if (viewport != whole) counts_[Rule::ViewportMap] += draw.positions.size();
     for (uint32_t i = 0; i < draw.positions.size(); ++i) {
+      if (draw.positions[i].w != 1) ++counts_[Rule::Division];
       outcodes_.push_back(outcode(input(i), volume_));
       const ClipPosition& position = draw.positions[i];
       vertices_.push_back(outcodes_.back() == 0 && position.w > 0 ? stage_.original(position) : RasterVertex{});
     }
-    const Viewport& viewport = viewportOf(scene, viewportIndex_);
     primitive_.draw = &draw;
     primitive_.viewport = stage_.viewport;
     primitive_.minDepth = viewport.minDepth;
@@ -42,7 +45,7 @@ class DrawGeometry {
       primitive_.polygon.clear();
       primitive_.pieces.clear();
       primitive_.figures.clear();
-      primitive_.cut = primitive_.unprojectable = false;
+      primitive_.cut = primitive_.cutByDistance = primitive_.unprojectable = false;
       primitive_.frontFacing = true;
       for (size_t k = 0; k < 3; ++k) primitive_.clip[k] = draw_.positions[assembled.vertices[k]];
       if (culledByDistance()) {
@@ -90,7 +93,8 @@ class DrawGeometry {
     countUnclippedDepth();
     if (primitive_.cut) {
       if (rules_.error == DeliberateError::FlatAfterCut) primitive_.assembled.provoking = assembled.vertices[1];
-      ++counts_[(any >> kVolumePlanes) != 0 ? Rule::UserDistance : Rule::ViewVolume];
+      primitive_.cutByDistance = (any >> kVolumePlanes) != 0;
+      ++counts_[primitive_.cutByDistance ? Rule::UserDistance : Rule::ViewVolume];
       if ((code(0) & code(1) & code(2)) != 0) return;
       if (!cutPolygon()) return;
     } else {

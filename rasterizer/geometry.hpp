@@ -39,6 +39,7 @@ struct SetupTriangle {
 };
 
 class Shape;
+class LineCoverage;
 
 /// A line or a point: the primitive itself, or an edge or corner of a triangle in polygon mode LINE or POINT.
 struct Figure {
@@ -48,6 +49,7 @@ struct Figure {
   RasterVertex a, b;  ///< ends of a line; a point has `a` only. Weights refer to the primitive's vertices.
   bool optional = false;  ///< the specification leaves open whether it is drawn; nominally it is not
   float size = 1;     ///< line width or point size, pixels, as the device draws it
+  std::shared_ptr<const LineCoverage> solid;  ///< of a stippled line: what it would cover without its pattern
 };
 
 struct Primitive {
@@ -56,6 +58,7 @@ struct Primitive {
   AssembledTriangle assembled;
   std::array<ClipPosition, 3> clip;
   bool cut = false;
+  bool cutByDistance = false;  ///< by a clip distance among others
   bool unprojectable = false;  ///< some w is 0: no polygon, and no sample of the target is certain (open rules)
   std::vector<RasterVertex> polygon;
   std::vector<SetupTriangle> pieces;  ///< filled triangles
@@ -69,7 +72,7 @@ struct Primitive {
 using PrimitiveVisitor = std::function<void(const Primitive&)>;
 
 /// Visits every primitive that has at least one piece (open rules: or may have one), in drawing order. The Primitive is reused between calls.
-/// Counts ViewVolume, Facing and Culling.
+/// Counts what is decided before rasterization.
 void forEachPrimitive(const Scene& scene, const Rules& rules, RuleCounts& counts, const PrimitiveVisitor& visit);
 
 }  // namespace rasterdiff::rasterizer

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "rasterizer/figure_rules.hpp"
 #include "rasterizer/frame_writer.hpp"
 #include "rasterizer/freedom_band.hpp"
+#include "rasterizer/lines/line_coverage.hpp"
 #include "rasterizer/mistakes/mistaken_scene.hpp"
 #include "rasterizer/sample_pattern.hpp"
 #include "rasterizer/shape.hpp"
@@ -17,6 +19,7 @@ class Renderer {
  public:
   Renderer(const Scene& scene, const Rules& rules, std::vector<SubpixelPosition> pattern, RuleCounts& counts)
       : scene_(scene),
+        rules_(rules),
         counts_(counts),
         pattern_(pattern),
         whole_(wholeTarget(scene)),
@@ -34,8 +37,7 @@ class Renderer {
     for (const SetupTriangle& piece : primitive.pieces) {
       if (piece.culled) continue;
       values_.setUp(primitive, piece);
-      drawPiece(primitive, piece);
-      countInterpolation(primitive);
+      countInterpolation(primitive, drawPiece(primitive, piece));
     }
     for (const Figure& figure : primitive.figures) drawFigure(primitive, figure);
     if (open_ && primitive.unprojectable) markEverything();
@@ -45,7 +47,8 @@ class Renderer {
   Frame take() { return writer_.take(); }
 
  private:
-  void drawPiece(const Primitive& primitive, const SetupTriangle& piece) {
+  // Returns the number of samples inside.
+  uint64_t drawPiece(const Primitive& primitive, const SetupTriangle& piece) {
     int32_t minY = primitive.polygon[piece.corner[0]].snapped.y, maxY = minY;
     for (const uint8_t corner : piece.corner) {
       minY = std::min(minY, primitive.polygon[corner].snapped.y);
@@ -53,6 +56,7 @@ class Renderer {
     }
     const int32_t first = std::max(minY >> kSubpixelBits, whole_.top);
     const int32_t last = std::min(maxY >> kSubpixelBits, whole_.bottom - 1);
+    uint64_t inside = 0, ties = 0;
     for (int32_t y = first; y <= last; ++y) {
       const bool rowInside = y >= area_.top && y < area_.bottom;
       int64_t covered = 0;
@@ -60,18 +64,23 @@ class Renderer {
       for (size_t s = 0; s < pattern_.size(); ++s) {
         const RowCoverage row = coverRow(piece.edges, pattern_[s].x, int64_t{y} * kSubpixelOne + pattern_[s].y,
                                          {whole_.left, whole_.right});
-        counts_[Rule::TieBreak] += static_cast<uint64_t>(row.ties);
+        ties += static_cast<uint64_t>(row.ties);
         covered += row.covered.length();
         RowSpan& span = spans_[s];
         span = rowInside ? RowSpan{std::max(row.covered.begin, area_.left), std::min(row.covered.end, area_.right)} : RowSpan{};
         counts_[Rule::Scissor] += static_cast<uint64_t>(row.covered.length() - span.length());
+        if (!span.empty()) counts_[Rule::HelperInvocation] += static_cast<uint64_t>((span.begin & 1) + (span.end & 1));
         some = some || !span.empty();
         unequal = unequal || span.begin != spans_[0].begin || span.end != spans_[0].end;
       }
-      counts_[Rule::SampleCoverage] += static_cast<uint64_t>(covered);
+      inside += static_cast<uint64_t>(covered);
       if (unequal) ++counts_[Rule::SamplePattern];
       if (some) writer_.writeRow(primitive.number, values_, y, spans_);
     }
+    counts_[Rule::SampleCoverage] += inside;
+    counts_[Rule::TieBreak] += ties;
+    if (primitive.cutByDistance) counts_[Rule::Partition] += ties;
+    return inside;
   }
 
   // Lines and points: every sample of the shape's rows is decided on its own.
@@ -79,28 +88,38 @@ class Renderer {
     values_.setUp(primitive, figure);
     const Shape::Rows rows = figure.shape->rows();
     const int32_t first = std::max(rows.first, whole_.top), last = std::min(rows.last, whole_.bottom - 1);
+    uint64_t inside = 0;
     for (int32_t y = first; y <= last; ++y) {
       RowSpan columns = figure.shape->columns(y);
       columns = {std::max(columns.begin, whole_.left), std::min(columns.end, whole_.right)};
-      for (int32_t x = columns.begin; x < columns.end; ++x) drawFigurePixel(primitive, figure, x, y);
+      for (int32_t x = columns.begin; x < columns.end; ++x) inside += drawFigurePixel(primitive, figure, x, y);
     }
-    countInterpolation(primitive);
+    for (const Rule rule : FigureRules(scene_, rules_, primitive, figure).all()) counts_[rule] += inside;
+    countInterpolation(primitive, inside);
   }
 
-  void drawFigurePixel(const Primitive& primitive, const Figure& figure, int32_t x, int32_t y) {
+  // Returns the number of samples inside.
+  uint64_t drawFigurePixel(const Primitive& primitive, const Figure& figure, int32_t x, int32_t y) {
     const bool inside = area_.contains(x, y);
-    bool some = false;
+    uint64_t samples = 0;
     for (uint32_t s = 0; s < pattern_.size(); ++s) {
       const int64_t px = int64_t{x} * kSubpixelOne + pattern_[s].x, py = int64_t{y} * kSubpixelOne + pattern_[s].y;
       bool tie = false;
       const bool covered = !figure.optional && figure.shape->covers(px, py, tie);
       if (tie) ++counts_[Rule::TieBreak];
-      if (covered) ++counts_[inside ? figureRule(figure) : Rule::Scissor];
+      if (covered && !inside) ++counts_[Rule::Scissor];
+      if (figure.solid) countStipple(figure, px, py, covered);
       spans_[s] = covered && inside ? RowSpan{x, x + 1} : RowSpan{};
-      some = some || !spans_[s].empty();
+      if (!spans_[s].empty()) ++samples;
       if (open_ && inside) writer_.markCoverage(x, y, s, legalCoverage(figure, px, py));
     }
-    if (some) writer_.writeRow(primitive.number, values_, y, spans_);
+    if (samples > 0) writer_.writeRow(primitive.number, values_, y, spans_);
+    return samples;
+  }
+
+  void countStipple(const Figure& line, int64_t px, int64_t py, bool kept) {
+    bool tie = false;
+    if (kept || line.solid->covers(px, py, tie)) ++counts_[Rule::LineStipple];
   }
 
   [[nodiscard]] static Coverage legalCoverage(const Figure& figure, int64_t px, int64_t py) {
@@ -108,13 +127,11 @@ class Renderer {
     return figure.optional && coverage == Coverage::In ? Coverage::Either : coverage;
   }
 
-  [[nodiscard]] Rule figureRule(const Figure& figure) const {
-    if (figure.kind == Figure::Kind::Point) return Rule::PointSquare;
-    return scene_.state.lineRasterizationMode == LineRasterizationMode::BRESENHAM ? Rule::LineBresenham : Rule::LineRectangle;
-  }
-
-  void countInterpolation(const Primitive& primitive) {
+  void countInterpolation(const Primitive& primitive, uint64_t samples) {
+    if (scene_.target.depthFormat) counts_[Rule::LinearDepth] += samples;
     if (primitive.draw->varyings.empty()) return;
+    if (primitive.cut) counts_[Rule::ClipAttribute] += samples;
+    if (primitive.polygon.size() > 3) counts_[Rule::CutPolygon] += samples;
     const std::array<ClipPosition, 3>& v = primitive.clip;
     if (v[0].w != v[1].w || v[0].w != v[2].w) ++counts_[Rule::Perspective];
     for (const Varying& varying : primitive.draw->varyings) {
@@ -157,6 +174,7 @@ class Renderer {
   }
 
   const Scene& scene_;
+  const Rules& rules_;
   RuleCounts& counts_;
   const std::vector<SubpixelPosition> pattern_;
   const PixelArea whole_;

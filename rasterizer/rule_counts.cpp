@@ -41,6 +41,19 @@ constexpr std::array<RuleInfo, static_cast<size_t>(Rule::Count_)> kRules{{
     {Rule::Resolve, "R42", "resolve", "vk:VkResolveModeFlagBits"},
     {Rule::FrontFacing, "R44", "front-facing", "vk:interfaces-builtin-variables-frontfacing"},
     {Rule::InterpolationOffset, "R48", "interpolation-offset", "vk:limits-subPixelInterpolationOffsetBits"},
+    {Rule::Division, "R1", "division", "vk:vertexpostproc-coord-transform"},
+    {Rule::ViewportMap, "R2", "viewport", "vk:vertexpostproc-viewport"},
+    {Rule::Partition, "R6", "partition", "vk:vertexpostproc-clipping"},
+    {Rule::ClipAttribute, "R9", "clip-attribute", "vk:vertexpostproc-clipping-shader-outputs"},
+    {Rule::CutPolygon, "R10", "cut-polygon", "vk:primsrast-polygons"},
+    {Rule::LinearDepth, "R22", "linear-depth", "vk:primsrast-polygon-barycentrics"},
+    {Rule::DefaultPointSize, "R26", "default-point-size", "vk:primsrast-points"},
+    {Rule::DefaultLine, "R28", "default-line", "vk:primsrast-lines-basic"},
+    {Rule::WideBresenham, "R30", "wide-bresenham", "vk:primsrast-lines-bresenham"},
+    {Rule::BresenhamSamples, "R31", "bresenham-samples", "vk:primsrast-lines-bresenham"},
+    {Rule::HelperInvocation, "R43", "helper-invocation", "vk:shaders-helper-invocations"},
+    {Rule::Invariance, "R49", "invariance", "vk:invariance"},
+    {Rule::SizeGranularity, "R51", "size-granularity", "vk:limits-lineWidthRange"},
 }};
 
 }  // namespace

@@ -8,7 +8,8 @@
 
 namespace rasterdiff::rasterizer {
 
-/// The rules that decide something countable. Ids (R14 ...) are those of docs/rules.md.
+/// What the rules of docs/rules.md (R14 ...) decide: each counter goes up where another answer to its rule would have
+/// given another picture. Some rules have several.
 enum class Rule : uint8_t {
   ViewVolume,       ///< R3: a primitive was rejected or cut by a plane of the view volume
   ProvokingVertex,  ///< R11: a flat varying took its value from the provoking vertex, which differed from another's
@@ -26,9 +27,9 @@ enum class Rule : uint8_t {
   PointClip,        ///< R7: a point was discarded, or kept, for its vertex being outside the view volume
   LineClip,         ///< R8: a line with an end outside the view volume
   PointSquare,      ///< R25: a sample was inside a point's square
-  LineRectangle,    ///< R27, R28: a sample was inside a line's rectangle or parallelogram
-  LineBresenham,    ///< R29, R30, R31: a pixel belonged to a Bresenham line
-  LineStipple,      ///< R32: the stipple pattern removed a fragment
+  LineRectangle,    ///< R27: a sample was inside a line's rectangle
+  LineBresenham,    ///< R29: a sample was inside a pixel of a Bresenham line
+  LineStipple,      ///< R32: the stipple pattern kept or dropped a sample of a line
   PolygonMode,      ///< R34: a triangle was drawn as lines or points
   CoverageMask,         ///< R16: a mask plane took some, not all, of a fragment's bits
   SampleShading,        ///< R19: a fragment was shaded once for a sample
@@ -46,6 +47,19 @@ enum class Rule : uint8_t {
   Resolve,              ///< R42: samples of a pixel that differ were averaged
   FrontFacing,          ///< R44: a fragment's facing was observed
   InterpolationOffset,  ///< R48: an input was evaluated at an offset from the centre
+  Division,             ///< R1: a vertex was divided by a w other than 1
+  ViewportMap,          ///< R2: a vertex went through a viewport other than the whole target with depths 0 to 1
+  Partition,            ///< R6: a sample lay exactly on the outline of what a clip distance left
+  ClipAttribute,        ///< R9: a sample's values came from a vertex that clipping made
+  CutPolygon,           ///< R10: a sample's values came from a polygon of more than three corners
+  LinearDepth,          ///< R22: a sample's depth was interpolated
+  DefaultPointSize,     ///< R26: a sample was inside a point without a size
+  DefaultLine,          ///< R28: a sample was inside a line of mode DEFAULT, whose outline strictLines decides
+  WideBresenham,        ///< R30: a sample was inside a Bresenham line wider than a pixel
+  BresenhamSamples,     ///< R31: one of several samples of a Bresenham line's pixel was covered
+  HelperInvocation,     ///< R43: an uncovered pixel left or right of a covered one was shaded with it, for nothing
+  Invariance,           ///< R49: a fragment met exactly the depth that an earlier one had stored
+  SizeGranularity,      ///< R51: a sample was inside a point or line of fractional, rounded or clamped size
   Count_,
 };
 

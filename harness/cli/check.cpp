@@ -1,6 +1,5 @@
 // `check`: draws every selected scene with both sides, in worker processes, and writes what was found.
 #include <fmt/format.h>
-#include <sched.h>
 
 #include <algorithm>
 #include <chrono>
@@ -8,13 +7,12 @@
 #include <map>
 #include <set>
 
+#include "harness/cli/check_worker.hpp"
 #include "harness/cli/isolated.hpp"
 #include "harness/cli/message.hpp"
-#include "harness/cli/pool.hpp"
 #include "harness/cli/progress.hpp"
 #include "harness/cli/rule_choice.hpp"
 #include "harness/cli/run.hpp"
-#include "harness/cli/scene_check.hpp"
 #include "harness/compare/baseline.hpp"
 #include "harness/report/html.hpp"
 #include "harness/report/json.hpp"
@@ -25,34 +23,6 @@
 
 namespace rasterdiff::harness::cli {
 namespace {
-
-unsigned coresToUse() {
-  cpu_set_t cores;
-  CPU_ZERO(&cores);
-  if (sched_getaffinity(0, sizeof cores, &cores) != 0) return 2;
-  return static_cast<unsigned>(std::max(1, CPU_COUNT(&cores)));
-}
-
-/// The life of a worker process: opens the driver once, then draws what it is given.
-void work(WorkerLink& link, const CheckOptions& options, const std::vector<Job>& jobs, const std::set<uint32_t>& pictured) {
-  Result<std::unique_ptr<Subject>> subject = openSubject(subjectOptions(options.choice));
-  if (!subject) return link.cannotOpen(recordOf(subject.error()));
-  const Result<rasterizer::Rules> rules = rulesFor(options.choice, **subject);
-  if (!rules) return link.cannotOpen(recordOf(rules.error()));
-  // The process ends with the work and the system frees what the driver holds: a hang on closing is nobody's loss.
-  Subject& driver = *subject->release();
-  link.opened(recordOf(RunSubject{options.choice.driver, driver.name(), driver.info(), subjectLine(driver),
-                                  driver.details(), driver.limits(), rules->name, rules->open}));
-  CheckSettings settings;
-  if (!options.dump.empty()) settings.dump = options.dump;
-  while (const std::optional<uint32_t> job = link.nextJob()) {
-    settings.pictures = pictured.contains(*job);
-    const CheckedScene checked = checkScene(jobs[*job], driver, *rules, settings,
-                                            [&](std::string_view phase) { link.entering(phase); });
-    link.done(recordOf(checked.entry), checked.subjectLost);
-    if (checked.subjectLost) return;
-  }
-}
 
 /// Collects records; batches of one family become one entry.
 class Collector {
@@ -106,8 +76,6 @@ std::set<uint32_t> picturedJobs(const std::vector<Job>& jobs, const std::vector<
   }
   return pictured;
 }
-
-Verdict verdictOf(const Death& death) { return death.timedOut ? Verdict::TimedOut : Verdict::Crashed; }
 
 Result<Baseline> baselineOf(const CheckOptions& options) {
   if (options.baseline.empty()) return builtInBaseline();
@@ -197,9 +165,7 @@ int runVerb(const CheckOptions& options) {
     return true;
   };
   events.died = [&](uint32_t job, const Death& death) {
-    SceneEntry entry = entryOf((*jobs)[job]);
-    entry.result.verdict = verdictOf(death);
-    entry.result.reason = death.what;
+    SceneEntry entry = entryOfDeath((*jobs)[job], death);
     progress.done(entry);
     collector.add(job, std::move(entry));
   };
@@ -208,8 +174,13 @@ int runVerb(const CheckOptions& options) {
   PoolOptions pool;
   pool.workers = options.jobs > 0 ? options.jobs : coresToUse();
   pool.driverSeconds = watchdogSeconds(options.choice.timeoutSeconds);
+  const auto settings = [&](uint32_t job) {
+    CheckSettings chosen{pictured.contains(job), std::nullopt};
+    if (!options.dump.empty()) chosen.dump = options.dump;
+    return chosen;
+  };
   const PoolOutcome outcome =
-      runPool(order, pool, [&](WorkerLink& link) { work(link, options, *jobs, pictured); }, events);
+      runPool(order, pool, [&](WorkerLink& link) { checkScenes(link, options.choice, *jobs, settings); }, events);
   progress.clear();
   report.scenes = std::move(collector).entries();
   if (report.scenes.empty()) return openFailed(outcome);

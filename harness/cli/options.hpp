@@ -47,6 +47,7 @@ struct ListOptions {
   enum class What { Scenes, Rules, Mutants, Freedoms };
   std::string glob = "*";
   What what = What::Scenes;
+  std::vector<std::string> drivers;  ///< whose standing to each rule is measured; empty = all known ones; "none"
   bool json = false;
 };
 

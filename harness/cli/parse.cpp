@@ -47,7 +47,9 @@ constexpr const char* kDevicesExamples = R"(Examples:
 constexpr const char* kListExamples = R"(Examples:
   rasterdiff list
   rasterdiff list 'clip/*'
-  rasterdiff list --rules          which scenes exercise which rule
+  rasterdiff list --rules          every rule, its scenes and mutants, and how each driver stands to it (measured)
+  rasterdiff list --rules --driver none      the same without drawing anything
+  rasterdiff list 'line-*' --rules --driver lavapipe --json
   rasterdiff list --mutants        deliberate errors for --driver mutant:NAME
   rasterdiff list --freedoms       what the specification leaves open)";
 
@@ -150,6 +152,10 @@ void addList(CLI::App& app, ListOptions& options) {
   add("--mutants", ListOptions::What::Mutants, "Deliberate errors");
   add("--freedoms", ListOptions::What::Freedoms, "Freedoms of the specification");
   what->require_option(0, 1);
+  verb->add_option("--driver", options.drivers,
+                   "With --rules: the driver to measure, as for check; may be given more than once; none (default: "
+                   "lavapipe and swiftshader)")
+      ->allow_extra_args(false);
   verb->add_flag("--json", options.json, "As JSON");
 }
 

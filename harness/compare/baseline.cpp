@@ -103,11 +103,13 @@ std::string writeBaseline(const Baseline& baseline) {
 void applyBaseline(const Baseline& baseline, std::string_view driverName, std::string_view driverInfo, std::string_view rulesName,
                    SceneResult& result) {
   result.baseline = BaselineStatus::None;
+  result.baselineRule.clear();
   result.baselineReason.clear();
   for (const BaselineEntry& entry : baseline.entries) {
     if (!matches(entry, driverName, driverInfo, rulesName, result.id)) continue;
     if (result.verdict == Verdict::Same || result.verdict == Verdict::Allowed) {
       result.baseline = BaselineStatus::Improved;
+      result.baselineRule = entry.rule;
       result.baselineReason = entry.reason;
       return;
     }
@@ -117,6 +119,7 @@ void applyBaseline(const Baseline& baseline, std::string_view driverName, std::s
     const bool crashed = result.verdict == Verdict::Crashed && expected == std::vector<std::string>{"crash"};
     if (!crashed && (result.verdict != Verdict::Differs || expected != actual)) continue;
     result.baseline = BaselineStatus::ExpectedDiff;
+    result.baselineRule = entry.rule;
     result.baselineReason = entry.reason;
     return;
   }

@@ -60,10 +60,11 @@ struct SceneResult {
   std::map<std::string, uint64_t> freedoms;    ///< freedom id → samples explained by it
   std::vector<SampleDifference> differences;   ///< the first ones, Differs before Allowed; counts above are complete
   std::vector<ValueStats> values;
-  std::map<std::string, uint64_t> ruleCoverage;  ///< rule name → times it decided
   std::optional<PlacementAnswer> placement;  ///< where vertex positions are a freedom that the driver used
+  std::map<std::string, uint64_t> ruleCoverage;  ///< rule id ("R15") → times it decided
   Seconds seconds;
   BaselineStatus baseline = BaselineStatus::None;
+  std::string baselineRule;    ///< of the entry: "R39"
   std::string baselineReason;  ///< of the entry: the driver's bug in a sentence
 };
 

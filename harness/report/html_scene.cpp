@@ -8,7 +8,7 @@
 #include "harness/report/html.hpp"
 #include "harness/report/markup.hpp"
 #include "harness/report/numbers.hpp"
-#include "harness/report/rule_scenes.hpp"
+#include "harness/report/rule_survey.hpp"
 
 namespace rasterdiff::harness {
 namespace {

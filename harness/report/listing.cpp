@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "harness/report/rule_scenes.hpp"
 #include "rasterizer/deliberate_error.hpp"
 #include "rasterizer/freedoms.hpp"
 
@@ -27,19 +26,6 @@ std::string scenesText(std::span<const CatalogueEntry* const> entries) {
   std::vector<std::pair<std::string, std::string>> rows;
   for (const CatalogueEntry* entry : entries) rows.emplace_back(entry->name, entry->what);
   return columns(rows);
-}
-
-std::string rulesText(std::span<const CatalogueEntry* const> entries) {
-  std::string text;
-  for (const RuleScenes& rule : ruleScenes(entries)) {
-    fmt::format_to(std::back_inserter(text), "{:<4} {}{}\n", rule.id, rule.name,
-                   rule.anchor.empty() ? "" : fmt::format(" [{}]", rule.anchor));
-    for (const CatalogueEntry* scene : rule.scenes) {
-      fmt::format_to(std::back_inserter(text), "     {}\n", scene->name);
-    }
-    if (rule.scenes.empty()) text += "     (no scene of this selection)\n";
-  }
-  return text;
 }
 
 std::string mutantsText() {

@@ -1,4 +1,4 @@
-// What `devices` and `list` know, as text for people and as JSON.
+// What `devices` and `list` know, as text for people and as JSON; rules have rule_survey.hpp.
 #pragma once
 
 #include <span>
@@ -15,10 +15,6 @@ namespace rasterdiff::harness {
 
 [[nodiscard]] std::string scenesText(std::span<const CatalogueEntry* const> entries);
 [[nodiscard]] std::string scenesJson(std::span<const CatalogueEntry* const> entries);
-
-/// Rules of the given scenes and the rules that are counted, in the order of their numbers, with their scenes.
-[[nodiscard]] std::string rulesText(std::span<const CatalogueEntry* const> entries);
-[[nodiscard]] std::string rulesJson(std::span<const CatalogueEntry* const> entries);
 
 [[nodiscard]] std::string mutantsText();
 [[nodiscard]] std::string mutantsJson();

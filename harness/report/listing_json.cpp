@@ -1,7 +1,6 @@
 // The listings as JSON.
 #include "harness/report/json_parts.hpp"
 #include "harness/report/listing.hpp"
-#include "harness/report/rule_scenes.hpp"
 #include "rasterizer/deliberate_error.hpp"
 #include "rasterizer/freedoms.hpp"
 
@@ -36,16 +35,6 @@ std::string scenesJson(std::span<const CatalogueEntry* const> entries) {
   Json json = Json::array();
   for (const CatalogueEntry* entry : entries) {
     json.push_back({{"name", entry->name}, {"what", entry->what}, {"rules", entry->rules}, {"link", entry->link}});
-  }
-  return document(json);
-}
-
-std::string rulesJson(std::span<const CatalogueEntry* const> entries) {
-  Json json = Json::array();
-  for (const RuleScenes& rule : ruleScenes(entries)) {
-    Json scenes = Json::array();
-    for (const CatalogueEntry* scene : rule.scenes) scenes.push_back(scene->name);
-    json.push_back({{"id", rule.id}, {"name", rule.name}, {"anchor", rule.anchor}, {"scenes", std::move(scenes)}});
   }
   return document(json);
 }

@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "harness/report/numbers.hpp"
-#include "harness/report/rule_scenes.hpp"
+#include "harness/report/rule_survey.hpp"
 #include "rasterizer/rule_counts.hpp"
 
 namespace rasterdiff::harness {

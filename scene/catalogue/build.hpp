@@ -105,5 +105,6 @@ void addResolve(Entries& entries);
 void addSupersample(Entries& entries);
 void addRandomLines(Entries& entries);
 void addRandomPoints(Entries& entries);
+void addCrowd(Entries& entries);
 
 }  // namespace rasterdiff::families
