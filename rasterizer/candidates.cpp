@@ -4,6 +4,7 @@
 #include <numeric>
 #include <optional>
 
+#include "rasterizer/choice_table.hpp"
 #include "rasterizer/fragment/alpha_to_coverage.hpp"
 #include "rasterizer/freedom_band.hpp"
 #include "rasterizer/interpolation.hpp"
@@ -221,8 +222,9 @@ class CandidateFinder {
 
 }  // namespace
 
-Result<std::vector<std::vector<Candidate>>> candidates(const Scene& scene, const Rules& rules,
+Result<std::vector<std::vector<Candidate>>> candidates(const Scene& scene, const Rules& profile,
                                                        std::span<const SampleQuery> queries) {
+  const Rules rules = rulesFor(scene, profile);
   if (const Result<void> valid = validate(scene); !valid) return tl::unexpected<Error>(valid.error());
   Result<std::vector<SubpixelPosition>> pattern = samplePattern(scene.target.samples, rules);
   if (!pattern) return tl::unexpected<Error>(pattern.error());

@@ -29,21 +29,19 @@ T distance(const ClipVertex& vertex, int plane, bool minusW) {
   }
 }
 
-// base + t (other - base), coordinate by coordinate.
-template <class T>
-ClipVertex between(const ClipVertex& base, const ClipVertex& other, T t) {
+// A vertex at parameter t from base to other; `mix` combines one coordinate of each.
+template <class T, class Mix>
+ClipVertex mixed(const ClipVertex& base, const ClipVertex& other, T t, const Mix& mix) {
   ClipVertex vertex;
   vertex.made = true;
   for (size_t i = 0; i < 4; ++i) {
-    const T from = static_cast<T>(base.position[i]), to = static_cast<T>(other.position[i]);
-    vertex.position[i] = from + t * (to - from);
+    vertex.position[i] = mix(static_cast<T>(base.position[i]), static_cast<T>(other.position[i]));
     // t carries two roundings of the distances' sum of magnitudes, the lerp three: at most 6 half-ULPs of the larger end.
     vertex.error[i] = std::max(base.error[i], other.error[i]) +
                       6 * kHalfUlp * std::max(std::fabs(base.position[i]), std::fabs(other.position[i]));
   }
   for (size_t i = 0; i < kMaxDistances; ++i) {
-    const T from = static_cast<T>(base.distances[i]), to = static_cast<T>(other.distances[i]);
-    vertex.distances[i] = from + t * (to - from);
+    vertex.distances[i] = mix(static_cast<T>(base.distances[i]), static_cast<T>(other.distances[i]));
   }
   // Parameter on the screen of a point that is at t in clip space.
   const double tLinear = static_cast<double>(t) * other.position[3] / vertex.position[3];
@@ -54,6 +52,19 @@ ClipVertex between(const ClipVertex& base, const ClipVertex& other, T t) {
   return vertex;
 }
 
+// base + t (other - base), coordinate by coordinate.
+template <class T>
+ClipVertex between(const ClipVertex& base, const ClipVertex& other, T t) {
+  return mixed<T>(base, other, t, [t](T from, T to) { return from + t * (to - from); });
+}
+
+// Both ends weighted by the other's distance, always from the inner to the outer one.
+ClipVertex weighted(const ClipVertex& inside, float dIn, const ClipVertex& outside, float dOut) {
+  const float scale = 1.0F / (dOut - dIn);
+  return mixed<float>(inside, outside, dIn / (dIn - dOut),
+                      [&](float in, float out) { return (dOut * in - dIn * out) * scale; });
+}
+
 // The crossing is computed from the end that is nearer to the plane, so that an edge shared by two triangles gets the
 // same new vertex whichever way it is walked.
 template <class T>
@@ -62,8 +73,9 @@ ClipVertex crossing(const ClipVertex& inside, T dIn, const ClipVertex& outside, 
   return between<T>(inside, outside, dIn / (dIn - dOut));
 }
 
-template <class T>
-bool clipAgainst(int plane, bool minusW, const ClipPolygon& in, ClipPolygon& out) {
+// `meet`: the crossing of an edge, given its inner end with its distance, then its outer end.
+template <class T, class Meet>
+bool clipAgainst(int plane, bool minusW, const ClipPolygon& in, ClipPolygon& out, const Meet& meet) {
   out.size = 0;
   const ClipVertex* previous = &in.vertices[0];
   T dPrevious = distance<T>(*previous, plane, minusW);
@@ -76,12 +88,27 @@ bool clipAgainst(int plane, bool minusW, const ClipPolygon& in, ClipPolygon& out
       if (out.size < ClipPolygon::kCapacity) out.vertices[static_cast<size_t>(out.size++)] = v;
     };
     if (dPrevious >= 0) append(*previous);
-    if (dPrevious >= 0 && d < 0) append(crossing<T>(*previous, dPrevious, vertex, d));
-    if (dPrevious < 0 && d >= 0) append(crossing<T>(vertex, d, *previous, dPrevious));
+    if (dPrevious >= 0 && d < 0) append(meet(*previous, dPrevious, vertex, d));
+    if (dPrevious < 0 && d >= 0) append(meet(vertex, d, *previous, dPrevious));
     previous = &vertex;
     dPrevious = d;
   }
   return true;
+}
+
+bool clipAgainst(ClipArithmetic arithmetic, int plane, bool minusW, const ClipPolygon& in, ClipPolygon& out) {
+  switch (arithmetic) {
+    case ClipArithmetic::Exact: return clipAgainst<double>(plane, minusW, in, out, crossing<double>);
+    case ClipArithmetic::Float32Linear: return clipAgainst<float>(plane, minusW, in, out, crossing<float>);
+    case ClipArithmetic::Float32Weighted: return clipAgainst<float>(plane, minusW, in, out, weighted);
+  }
+  return false;
+}
+
+int planeInOrder(ClipArithmetic arithmetic, int step) {
+  if (arithmetic != ClipArithmetic::Float32Weighted || step >= kVolumePlanes) return step;
+  constexpr std::array<int, kVolumePlanes> kNearFirst{Near, Far, MinusX, PlusX, PlusY, MinusY};
+  return kNearFirst[static_cast<size_t>(step)];
 }
 
 ClipVertex clipVertex(const ClipInput& input, const ClipVolume& volume, size_t corner) {
@@ -169,12 +196,10 @@ ClipOutcome clipTriangle(std::span<const ClipInput, 3> triangle, ClipArithmetic 
   if (all != 0) return ClipOutcome::Rejected;
 
   ClipPolygon other;
-  for (int plane = 0; plane < kClipPlanes && polygon.size >= 3; ++plane) {
+  for (int step = 0; step < kClipPlanes && polygon.size >= 3; ++step) {
+    const int plane = planeInOrder(arithmetic, step);
     if ((any & (1U << plane)) == 0) continue;
-    const bool finite = arithmetic == ClipArithmetic::Float32Linear
-                            ? clipAgainst<float>(plane, volume.nearAtMinusW, polygon, other)
-                            : clipAgainst<double>(plane, volume.nearAtMinusW, polygon, other);
-    if (!finite) {
+    if (!clipAgainst(arithmetic, plane, volume.nearAtMinusW, polygon, other)) {
       polygon.size = 0;
       return ClipOutcome::Cut;
     }
@@ -194,7 +219,7 @@ ClipOutcome clipLine(std::span<const ClipInput, 2> line, ClipArithmetic arithmet
     polygon.size = 0;
     return ClipOutcome::Rejected;
   }
-  if (arithmetic == ClipArithmetic::Float32Linear) {
+  if (arithmetic != ClipArithmetic::Exact) {
     clipEnds<float>(first | second, volume.nearAtMinusW, polygon);
   } else {
     clipEnds<double>(first | second, volume.nearAtMinusW, polygon);

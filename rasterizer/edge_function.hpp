@@ -24,27 +24,40 @@ struct EdgeFunction {
   }
 };
 
+/// Who owns samples on level and on slanted edges.
+struct TieRule {
+  TieOwner owner = TieOwner::TopLeft;
+  SlantedTies slanted = SlantedTies::LikeVertical;
+  // NOLINTNEXTLINE(google-explicit-constructor): an owner alone is a rule.
+  constexpr TieRule(TieOwner o, SlantedTies s = SlantedTies::LikeVertical) : owner(o), slanted(s) {}
+};
+
+[[nodiscard]] constexpr TieRule tieRule(const Choices& choices) { return {choices.tieOwner, choices.slantedTies}; }
+
 /// Does an edge with this direction own its samples? Of the two polygons that share an edge with identical ends exactly
-/// one sees it in the owning direction. // [vk:primsrast-polygons-basic] [choice:tie-owner]
-[[nodiscard]] constexpr bool ownsTies(TieOwner owner, int64_t dx, int64_t dy) {
-  const bool left = dy < 0, right = dy > 0;  // interior lies to the right of a left edge
-  const bool top = dy == 0 && dx > 0, bottom = dy == 0 && dx < 0;
-  switch (owner) {
-    case TieOwner::TopLeft: return left || top;
-    case TieOwner::TopRight: return right || top;
-    case TieOwner::BottomLeft: return left || bottom;
-    case TieOwner::BottomRight: return right || bottom;
+/// one sees it in the owning direction. // [vk:primsrast-polygons-basic] [choice:tie-owner] [choice:slanted-ties]
+[[nodiscard]] constexpr bool ownsTies(TieRule rule, int64_t dx, int64_t dy) {
+  const bool leftOwns = rule.owner == TieOwner::TopLeft || rule.owner == TieOwner::BottomLeft;
+  const bool topOwns = rule.owner == TieOwner::TopLeft || rule.owner == TieOwner::TopRight;
+  const bool left = dy < 0, top = dx > 0;  // the interior lies to the right of a left edge, below a top edge
+  if (dy == 0) return dx != 0 && top == topOwns;
+  if (dx == 0) return left == leftOwns;
+  switch (rule.slanted) {
+    case SlantedTies::LikeVertical: return left == leftOwns;
+    case SlantedTies::AgainstVertical: return left != leftOwns;
+    case SlantedTies::LikeHorizontal: return top == topOwns;
+    case SlantedTies::AgainstHorizontal: return top != topOwns;
   }
   return false;
 }
 
-[[nodiscard]] inline EdgeFunction edgeFunction(SubpixelPosition a, SubpixelPosition b, TieOwner owner) {
+[[nodiscard]] inline EdgeFunction edgeFunction(SubpixelPosition a, SubpixelPosition b, TieRule rule) {
   EdgeFunction edge;
   edge.dx = int64_t{b.x} - a.x;
   edge.dy = int64_t{b.y} - a.y;
   edge.ax = a.x;
   edge.ay = a.y;
-  edge.ownsTies = ownsTies(owner, edge.dx, edge.dy);
+  edge.ownsTies = ownsTies(rule, edge.dx, edge.dy);
   return edge;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "rasterizer/choice_table.hpp"
 #include "rasterizer/freedom_band.hpp"
 #include "rasterizer/interpolation.hpp"
 #include "rasterizer/sample_pattern.hpp"
@@ -85,7 +86,8 @@ PrimitiveExplanation explainPiece(const Scene& scene, const Rules& rules, const 
 
 }  // namespace
 
-Result<SampleExplanation> explain(const Scene& scene, const Rules& rules, SampleQuery query) {
+Result<SampleExplanation> explain(const Scene& scene, const Rules& profile, SampleQuery query) {
+  const Rules rules = rulesFor(scene, profile);
   const Result<Frame> frame = render(scene, rules);
   if (!frame) return tl::unexpected<Error>(frame.error());
   if (query.x >= scene.target.width || query.y >= scene.target.height || query.sample >= scene.target.samples) {

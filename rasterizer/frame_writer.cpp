@@ -43,7 +43,7 @@ uint32_t maskUnder(const State& state, uint32_t samples, DeliberateError error) 
 
 FrameWriter::FrameWriter(const Scene& scene, const SceneNeeds& needs, const Rules& rules,
                          std::vector<SubpixelPosition> pattern, RuleCounts& counts)
-    : state_(withError(scene.state, rules.error)), error_(rules.error), pattern_(std::move(pattern)), counts_(counts),
+    : state_(withError(scene.state, rules.error)), rules_(rules), error_(rules.error), pattern_(std::move(pattern)), counts_(counts),
       sampleMask_(maskUnder(scene.state, scene.target.samples, rules.error)), open_(rules.open),
       openValues_(rules.openValues()), resolve_(scene.target.resolve) {
   const auto [width, height, samples] = std::array{scene.target.width, scene.target.height, scene.target.samples};
@@ -231,7 +231,7 @@ void FrameWriter::markCoverage(int32_t x, int32_t y, uint32_t sample, Coverage c
 
 Frame FrameWriter::take() {
   for (size_t v = 0; resolve_ && v < varyings_; ++v) {
-    frame_.resolved.push_back(resolved(frame_.varyings[v], error_, counts_));
+    frame_.resolved.push_back(resolved(frame_.varyings[v], rules_, counts_));
   }
   return std::move(frame_);
 }

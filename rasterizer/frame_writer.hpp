@@ -37,6 +37,7 @@ class FrameWriter {
   [[nodiscard]] bool passesDepth(size_t index, float fragment);
 
   const State state_;
+  const Rules& rules_;
   const DeliberateError error_;
   const std::vector<SubpixelPosition> pattern_;
   std::vector<SubpixelPosition> depthPattern_;  ///< where depth is evaluated: at the samples

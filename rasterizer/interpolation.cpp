@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rasterizer/choice_table.hpp"
 #include "rasterizer/fragment/line_plane.hpp"
 #include "rasterizer/lines/line_style.hpp"
 #include "rasterizer/sample_pattern.hpp"
@@ -80,12 +81,31 @@ void PieceValues::fillPlanes(const std::array<const RasterVertex*, kVertices>& v
   });
 }
 
+// [choice:plane-positions]
+TrianglePlane PieceValues::planeOf(const std::array<const RasterVertex*, 3>& v) const {
+  std::array<FramebufferPosition, 3> corners;
+  double deviation = 0;
+  const bool snaps = rules_.choices.planePositions == PlanePositions::Snapped && !rules_.open;
+  const bool either = isOpen(rules_, Choice::PlanePositions) && !rules_.open;
+  for (size_t i = 0; i < 3; ++i) {
+    corners[i] = v[i]->position;
+    const double x = v[i]->snapped.x / double{kSubpixelOne}, y = v[i]->snapped.y / double{kSubpixelOne};
+    if (snaps) {
+      corners[i].x = x;
+      corners[i].y = y;
+      continue;
+    }
+    deviation = std::max(deviation, v[i]->deviation);
+    if (either) deviation = std::max({deviation, std::fabs(corners[i].x - x), std::fabs(corners[i].y - y)});
+  }
+  return {corners, deviation};
+}
+
 void PieceValues::setUp(const Primitive& primitive, const SetupTriangle& piece) {
   if (!setUpCurrent(primitive, &piece, nullptr)) return;
   const std::array<const RasterVertex*, 3> v{&primitive.polygon[piece.corner[0]], &primitive.polygon[piece.corner[1]],
                                              &primitive.polygon[piece.corner[2]]};
-  const TrianglePlane plane({v[0]->position, v[1]->position, v[2]->position},
-                            std::max({v[0]->deviation, v[1]->deviation, v[2]->deviation}));
+  const TrianglePlane plane = planeOf(v);
   fillPlanes(v, planes_, [&plane](const std::array<double, 3>& values, double inputError, double outside) {
     return plane.through(values, inputError, outside);
   });

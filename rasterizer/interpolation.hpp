@@ -51,6 +51,7 @@ class PieceValues {
   /// Fills `planes` with what `make(values at the corners or ends, inputError, outside)` makes of each value.
   template <size_t kVertices, class Make>
   void fillPlanes(const std::array<const RasterVertex*, kVertices>& vertices, ValuePlanes& planes, const Make& make);
+  [[nodiscard]] TrianglePlane planeOf(const std::array<const RasterVertex*, 3>& vertices) const;
   void setUpPoint(const RasterVertex& vertex);
   void setUpLine(const Figure& figure);
   void setFigureBias(const Figure& figure);

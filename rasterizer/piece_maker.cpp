@@ -13,8 +13,8 @@ bool culledBy(CullMode mode, bool frontFacing) {
   return (bits & face) != 0;
 }
 
-TieOwner tieOwner(const Rules& rules) {
-  return rules.error == DeliberateError::TieOwnerBottomRight ? TieOwner::BottomRight : rules.choices.tieOwner;
+TieRule tieRuleOf(const Rules& rules) {
+  return rules.error == DeliberateError::TieOwnerBottomRight ? TieOwner::BottomRight : tieRule(rules.choices);
 }
 
 }  // namespace
@@ -46,8 +46,13 @@ void PieceMaker::makePieces(Primitive& primitive) const {
       std::swap(triangle.corner[1], triangle.corner[2]);
       triangle.flipped = true;
     }
-    const TieOwner owner = tieOwner(rules_);
-    for (size_t k = 0; k < 3; ++k) triangle.edges[k] = edgeFunction(at(k), at((k + 1) % 3), owner);
+    const TieRule rule = tieRuleOf(rules_);
+    for (size_t k = 0; k < 3; ++k) {
+      triangle.edges[k] = edgeFunction(at(k), at((k + 1) % 3), rule);
+      if (triangle.flipped && rules_.choices.tieWinding == TieWinding::OppositeIfCounterClockwise) {
+        triangle.edges[k].ownsTies = !triangle.edges[k].ownsTies;  // [choice:tie-winding]
+      }
+    }
     if (mistaken) mistakeEdges(triangle.edges, rules_.error);
     primitive.pieces.push_back(triangle);
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "rasterizer/choice_table.hpp"
 #include "rasterizer/figure_rules.hpp"
 #include "rasterizer/frame_writer.hpp"
 #include "rasterizer/freedom_band.hpp"
@@ -188,7 +189,8 @@ class Renderer {
 
 }  // namespace
 
-Result<Frame> render(const Scene& scene, const Rules& rules, RuleCounts* counts) {
+Result<Frame> render(const Scene& scene, const Rules& profile, RuleCounts* counts) {
+  const Rules rules = rulesFor(scene, profile);
   if (const Result<void> valid = validate(scene); !valid) return tl::unexpected<Error>(valid.error());
   Result<std::vector<SubpixelPosition>> pattern = samplePattern(scene.target.samples, rules);
   if (!pattern) return tl::unexpected<Error>(pattern.error());

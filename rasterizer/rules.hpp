@@ -2,6 +2,8 @@
 // choice; `specification` keeps the answers as a nominal outcome and has the reference compute what else is legal.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,33 +16,64 @@ namespace rasterdiff::rasterizer {
 
 /// [choice:viewport-arithmetic] how clip / w and the viewport transform are evaluated.
 enum class ViewportArithmetic : uint8_t {
-  Exact,       ///< as real numbers
-  Float32,     ///< float32: x · (1 / w), · scale, + offset, each rounded
-  Float32Fma,  ///< float32: fma(x · (1 / w), scale, offset)
+  Exact,               ///< as real numbers
+  Float32,             ///< float32: x · (1 / w), · scale, + offset, each rounded
+  Float32Fma,          ///< float32: fma(x · (1 / w), scale, offset)
+  Float32Division,     ///< float32: x / w, · scale, + offset, each rounded
+  Float32DivisionFma,  ///< float32: fma(x / w, scale, offset)
 };
 
 /// [choice:snap-rounding] how a coordinate reaches the subpixel grid.
-enum class SnapRounding : uint8_t { NearestEven, NearestUp, Floor, TowardZero };
+enum class SnapRounding : uint8_t {
+  NearestEven,
+  NearestUp,
+  Floor,
+  TowardZero,
+  NearestDown,
+  NearestAway,        ///< halves away from zero
+  NearestTowardZero,  ///< halves toward zero
+  Ceiling,
+};
 
-/// [choice:snap-origin] what is snapped.
+/// [choice:snap-origin] what is snapped; half a pixel is put back afterwards.
 enum class SnapOrigin : uint8_t {
   Corner,             ///< the framebuffer coordinate
   CentreAtOneSample,  ///< at one sample the coordinate less half a pixel, subtracted in float32 before scaling
+  Centre,             ///< the same at any number of samples
+  CentreInViewport,   ///< half a pixel is subtracted from the viewport's offset, in float32
 };
 
-/// [choice:tie-owner] which polygon owns a sample on a shared edge. [vk:primsrast-polygons-basic]
+/// [choice:tie-owner] which polygon owns a sample on a shared edge: on horizontal edges the one below (its top edge) or
+/// above, on vertical ones the one to the right (its left edge) or left. [vk:primsrast-polygons-basic]
 enum class TieOwner : uint8_t { TopLeft, TopRight, BottomLeft, BottomRight };
+
+/// [choice:slanted-ties] who owns a sample on a slanted shared edge, said by the tie owner of level ones.
+enum class SlantedTies : uint8_t {
+  LikeVertical,       ///< the polygon on the side (left or right) that owns vertical edges
+  AgainstVertical,    ///< the other
+  LikeHorizontal,     ///< the polygon on the side (above or below) that owns horizontal edges
+  AgainstHorizontal,  ///< the other
+};
+
+/// [choice:tie-winding] does the owner depend on the direction in which a triangle is wound? Only a device that breaks
+/// [vk:primsrast-polygons-basic] has it depend.
+enum class TieWinding : uint8_t {
+  Same,
+  OppositeIfCounterClockwise,  ///< triangles that are counter-clockwise on the screen own the opposite edges
+};
 
 /// [choice:clip-arithmetic] where new vertices of clipped polygons lie. [vk:vertexpostproc-clipping]
 enum class ClipArithmetic : uint8_t {
   Exact,           ///< in double precision, rounded once
-  Float32Linear,   ///< float32 lerp from the nearer end, plane by plane: +x -x +y -y near far
+  Float32Linear,    ///< float32 lerp from the nearer end, plane by plane: +x -x +y -y near far; mapped without fusing
+  Float32Weighted,  ///< float32 (d₁ p₀ - d₀ p₁) · (1 / (d₁ - d₀)), plane by plane: near far -x +x +y -y
 };
 
 /// [choice:point-arithmetic] how the square of a point is placed. [vk:primsrast-points]
 enum class PointArithmetic : uint8_t {
   Exact,          ///< around the unrounded vertex
   SnappedCentre,  ///< around the snapped vertex, its side in whole subpixels and at least one pixel
+  ClipCorners,    ///< corners made in clip space in float32, cut at the view volume's sides, each snapped like a vertex
 };
 
 /// [choice:line-arithmetic] how the outline of a line is placed. [vk:primsrast-lines-basic]
@@ -58,8 +91,48 @@ enum class DiamondExit : uint8_t {
 /// [choice:depth-bias-unit] the smallest resolvable difference of a fixed-point depth format with n bits.
 /// [vk:primsrast-depthbias-computation]
 enum class DepthBiasUnit : uint8_t {
-  OneStep,   ///< 2^-n
-  TwoSteps,  ///< 2 / (2^n - 1)
+  OneStep,            ///< 2^-n
+  TwoSteps,           ///< 2 / (2^n - 1)
+  OneStepOfRange,     ///< 1 / (2^n - 1)
+  OneStepAndPercent,  ///< 1.01 / (2^n - 1)
+};
+
+/// [choice:depth-bias-slope] m. [vk:primsrast-depthbias-computation]
+enum class DepthBiasSlope : uint8_t {
+  Larger,  ///< max(abs dz/dx, abs dz/dy)
+  Length,  ///< the gradient's length
+};
+
+/// [choice:centroid] where a centroid input of a partly covered fragment is evaluated.
+/// [vk:shaders-interpolation-decorations]
+enum class CentroidPosition : uint8_t {
+  CentreOrFirst,  ///< all samples covered: the centre; else the first covered sample
+  First,          ///< the first covered sample
+  Mean,           ///< the mean of the covered samples
+};
+
+/// [choice:plane-positions] through which positions the planes of values are laid.
+enum class PlanePositions : uint8_t { Unsnapped, Snapped };
+
+/// [choice:resolve-arithmetic] how an average is rounded. [vk:VkResolveModeFlagBits]
+enum class ResolveArithmetic : uint8_t {
+  Any,          ///< judged by an interval that holds every order of float32 operations
+  RoundedOnce,  ///< the exact mean
+  InOrder,      ///< float32: samples added one by one, · 1 / n
+  Pairwise,     ///< float32: neighbours added, their sums added, · 1 / n
+};
+
+/// Sample locations from the pixel's top-left corner, in 1/256 pixel, for 1, 2, 4, 8 and 16 samples one after the other.
+struct SampleTables {
+  struct Offset {
+    uint8_t x = 128, y = 128;  // Q0.8
+    friend bool operator==(const Offset&, const Offset&) = default;
+  };
+  std::array<Offset, 31> offsets{};
+  /// `samples` must be 1, 2, 4, 8 or 16. // 1 + 2 + 4 + ... + samples / 2 = samples - 1 come before
+  [[nodiscard]] std::span<const Offset> of(uint32_t samples) const { return std::span(offsets).subspan(samples - 1, samples); }
+  [[nodiscard]] std::span<Offset> of(uint32_t samples) { return std::span(offsets).subspan(samples - 1, samples); }
+  friend bool operator==(const SampleTables&, const SampleTables&) = default;
 };
 
 // Choices whose nominal answer is the same in every profile; open rules compute the others as intervals:
@@ -70,15 +143,23 @@ enum class DepthBiasUnit : uint8_t {
 // [choice:alpha-to-coverage]   which samples a fractional alpha covers: any
 
 struct Choices {
+  uint32_t subPixelBits = 0;  ///< [choice:subpixel-bits] bits of the grid in use; 0: as many as the device advertises
   ViewportArithmetic viewportArithmetic = ViewportArithmetic::Exact;
   SnapRounding snapRounding = SnapRounding::NearestEven;
   SnapOrigin snapOrigin = SnapOrigin::Corner;
   TieOwner tieOwner = TieOwner::TopLeft;
+  SlantedTies slantedTies = SlantedTies::LikeVertical;
+  TieWinding tieWinding = TieWinding::Same;
   ClipArithmetic clipArithmetic = ClipArithmetic::Exact;
   PointArithmetic pointArithmetic = PointArithmetic::Exact;
   LineArithmetic lineArithmetic = LineArithmetic::Exact;
   DiamondExit diamondExit = DiamondExit::Vulkan;
   DepthBiasUnit depthBiasUnit = DepthBiasUnit::OneStep;
+  DepthBiasSlope depthBiasSlope = DepthBiasSlope::Larger;
+  CentroidPosition centroid = CentroidPosition::CentreOrFirst;
+  PlanePositions planePositions = PlanePositions::Unsnapped;
+  ResolveArithmetic resolveArithmetic = ResolveArithmetic::Any;
+  std::optional<SampleTables> sampleLocations{};  ///< [choice:sample-locations] none: the standard ones
   /// The profile closes coverage only: where in the fragment a value is evaluated stays open, as in the specification.
   bool valuesOpen = false;
   friend bool operator==(const Choices&, const Choices&) = default;
@@ -89,6 +170,7 @@ struct Rules {
   Limits limits;
   Choices choices;
   bool open = false;  ///< specification rules: every choice is a freedom, `choices` gives the nominal outcome
+  uint32_t openChoices = 0;  ///< single choices that the profile leaves open: bits by Choice (choice_table.hpp)
   DeliberateError error = DeliberateError::None;
 
   /// Are values judged against everything that the specification allows?

@@ -28,7 +28,11 @@ Result<std::vector<SubpixelPosition>> samplePattern(uint32_t samples, const Rule
                 "use 1, 2, 4, 8 or 16");
   }
   std::vector<SubpixelPosition> pattern;
-  for (const SampleLocation& location : table) pattern.push_back({location.x * kSixteenth, location.y * kSixteenth});
+  if (rules.choices.sampleLocations) {
+    for (const SampleTables::Offset& offset : rules.choices.sampleLocations->of(samples)) pattern.push_back({offset.x, offset.y});
+  } else {
+    for (const SampleLocation& location : table) pattern.push_back({location.x * kSixteenth, location.y * kSixteenth});
+  }
   if (rules.error != DeliberateError::None) mistakePattern(pattern, rules.error);
   return pattern;
 }

@@ -1,4 +1,4 @@
-// Where the samples of a pixel are, in 1/256 pixel. [vk:primsrast-multisampling]
+// Where the samples of a pixel are, in 1/256 pixel. [vk:primsrast-multisampling] [choice:sample-locations]
 #pragma once
 
 #include <vector>

@@ -25,6 +25,10 @@ double roundTo(double gridValue, SnapRounding rounding) {
     case SnapRounding::NearestUp: return std::floor(gridValue + 0.5);
     case SnapRounding::Floor: return std::floor(gridValue);
     case SnapRounding::TowardZero: return std::trunc(gridValue);
+    case SnapRounding::NearestDown: return std::ceil(gridValue - 0.5);
+    case SnapRounding::NearestAway: return gridValue < 0 ? std::ceil(gridValue - 0.5) : std::floor(gridValue + 0.5);
+    case SnapRounding::NearestTowardZero: return gridValue < 0 ? std::floor(gridValue + 0.5) : std::ceil(gridValue - 0.5);
+    case SnapRounding::Ceiling: return std::ceil(gridValue);
   }
   return gridValue;
 }
@@ -61,6 +65,21 @@ SnapRounding roundingOf(const Rules& rules) {
   return rules.error == DeliberateError::TruncatingSnap ? SnapRounding::TowardZero : rules.choices.snapRounding;
 }
 
+enum class Shift : uint8_t { None, AfterViewport, InViewport };
+
+// [choice:snap-origin] where half a pixel is taken off.
+Shift shiftOf(const Rules& rules, uint32_t samples) {
+  switch (rules.choices.snapOrigin) {
+    case SnapOrigin::Corner: return Shift::None;
+    case SnapOrigin::CentreAtOneSample: return samples == 1 ? Shift::AfterViewport : Shift::None;
+    case SnapOrigin::Centre: return Shift::AfterViewport;
+    case SnapOrigin::CentreInViewport: return Shift::InViewport;
+  }
+  return Shift::None;
+}
+
+constexpr int32_t kHalfPixel = kSubpixelOne / 2;
+
 bool isExactly(float coordinate, float w, const ViewportAxis& axis, int bits, double gridValue) {
   return signAgainst(coordinate, w, axis, bits, 2 * gridValue) == 0;
 }
@@ -78,7 +97,8 @@ int32_t ceilingExactly(float coordinate, float w, const ViewportAxis& axis, doub
 int gridBits(const Rules& rules) {
   if (rules.error == DeliberateError::CoarseSnap) return 4;
   if (rules.error == DeliberateError::SevenBitSnap) return 7;
-  return static_cast<int>(std::min<uint32_t>(rules.limits.subPixelPrecisionBits, kSubpixelBits));
+  const bool own = rules.choices.subPixelBits != 0 && !rules.open;
+  return static_cast<int>(std::min<uint32_t>(own ? rules.choices.subPixelBits : rules.limits.subPixelPrecisionBits, kSubpixelBits));
 }
 
 int32_t snap(double pixels, int bits, SnapRounding rounding) {
@@ -87,40 +107,57 @@ int32_t snap(double pixels, int bits, SnapRounding rounding) {
 
 int32_t snapExactly(float coordinate, float w, const ViewportAxis& axis, int bits, SnapRounding rounding) {
   const double below = exactFloor(coordinate, w, axis, bits);
-  double chosen = below;
+  // Is the coordinate in the upper part of its step? `atHalf` decides the middle.
+  const auto nearest = [&](bool atHalf) {
+    const double value = approximate(coordinate, w, axis, bits);
+    const double half = below + 0.5;
+    const int side = decides(value, half) ? (value > half ? 1 : -1) : signAgainst(coordinate, w, axis, bits, 2 * half);
+    return side > 0 || (side == 0 && atHalf);
+  };
+  const auto onGrid = [&] { return isExactly(coordinate, w, axis, bits, below); };
+  bool up = false;
   switch (rounding) {
     case SnapRounding::Floor: break;
-    case SnapRounding::TowardZero:
-      if (below < 0 && !isExactly(coordinate, w, axis, bits, below)) chosen = below + 1;
-      break;
-    case SnapRounding::NearestEven:
-    case SnapRounding::NearestUp: {
-      const double value = approximate(coordinate, w, axis, bits);
-      const double half = below + 0.5;
-      const int side = decides(value, half) ? (value > half ? 1 : -1) : signAgainst(coordinate, w, axis, bits, 2 * half);
-      const bool odd = std::fmod(below, 2.0) != 0;
-      if (side > 0 || (side == 0 && (rounding == SnapRounding::NearestUp || odd))) chosen = below + 1;
-      break;
-    }
+    case SnapRounding::Ceiling: up = !onGrid(); break;
+    case SnapRounding::TowardZero: up = below < 0 && !onGrid(); break;
+    case SnapRounding::NearestEven: up = nearest(std::fmod(below, 2.0) != 0); break;
+    case SnapRounding::NearestUp: up = nearest(true); break;
+    case SnapRounding::NearestDown: up = nearest(false); break;
+    case SnapRounding::NearestAway: up = nearest(below >= 0); break;
+    case SnapRounding::NearestTowardZero: up = nearest(below < 0); break;
   }
-  return toSubpixels(chosen, bits);
+  return toSubpixels(up ? below + 1 : below, bits);
 }
 
 int32_t snapFloat(const Rules& rules, uint32_t samples, float pixels) {
   const int bits = gridBits(rules);
-  const float unit = std::ldexp(1.0F, bits);
-  const bool centre = rules.choices.snapOrigin == SnapOrigin::CentreAtOneSample && samples == 1;
-  const float shifted = centre ? pixels - 0.5F : pixels;
-  const float scaled = static_cast<float>(clampToGuardBand(shifted)) * unit;
-  const double grid = roundTo(scaled, roundingOf(rules));
-  return toSubpixels(grid, bits) + (centre ? kSubpixelOne / 2 : 0);
+  const Shift shift = shiftOf(rules, samples);
+  const float shifted = shift == Shift::AfterViewport ? pixels - 0.5F : pixels;
+  const float scaled = static_cast<float>(clampToGuardBand(shifted)) * std::ldexp(1.0F, bits);
+  return toSubpixels(roundTo(scaled, roundingOf(rules)), bits) + (shift == Shift::None ? 0 : kHalfPixel);
+}
+
+int32_t mapAndSnapFloat(const Rules& rules, uint32_t samples, float coordinate, float w, const ViewportAxis& axis,
+                        ViewportArithmetic arithmetic) {
+  const float origin = shiftOf(rules, samples) == Shift::InViewport ? 0.5F : 0;
+  return snapFloat(rules, samples, toFramebufferFloat(coordinate, w, axis, arithmetic, origin));
+}
+
+int32_t snapPosition(const Rules& rules, uint32_t samples, double pixels) {
+  const bool centre = shiftOf(rules, samples) != Shift::None;
+  const int32_t snapped = snap(centre ? pixels - 0.5 : pixels, gridBits(rules), rules.choices.snapRounding);
+  return centre ? snapped + kHalfPixel : snapped;
 }
 
 int32_t snapUnder(const Rules& rules, uint32_t samples, float coordinate, float w, const ViewportAxis& axis) {
   if (rules.choices.viewportArithmetic != ViewportArithmetic::Exact) {
-    return snapFloat(rules, samples, toFramebufferFloat(coordinate, w, axis, rules.choices.viewportArithmetic));
+    return mapAndSnapFloat(rules, samples, coordinate, w, axis, rules.choices.viewportArithmetic);
   }
-  return snapExactly(coordinate, w, axis, gridBits(rules), roundingOf(rules));
+  if (shiftOf(rules, samples) == Shift::None) {
+    return snapExactly(coordinate, w, axis, gridBits(rules), roundingOf(rules));
+  }
+  const ViewportAxis shifted{axis.scale, axis.origin - 0.5, axis.centre};  // exact: floats of a screen and a half
+  return snapExactly(coordinate, w, shifted, gridBits(rules), roundingOf(rules)) + kHalfPixel;
 }
 
 SnapRange legalSnaps(float coordinate, float w, const ViewportAxis& axis, int bits, double uncertainty) {

@@ -9,7 +9,8 @@ namespace rasterdiff::rasterizer {
 /// Coordinates are clamped here before they become integers.  // ±2^20 pixels = ±2^28 in Q23.8
 inline constexpr double kGuardBand = 1 << 20;
 
-/// Grid bits in use: the device's subPixelPrecisionBits, at most kSubpixelBits.
+/// Grid bits in use: the profile's, else the device's subPixelPrecisionBits; at most kSubpixelBits. Open rules: the device's.
+/// [choice:subpixel-bits]
 [[nodiscard]] int gridBits(const Rules& rules);
 
 /// Rounds `pixels` (a double that is close enough to the truth) to the grid; result in 1/256 pixel.
@@ -26,8 +27,16 @@ inline constexpr double kGuardBand = 1 << 20;
 [[nodiscard]] int32_t snapUnder(const Rules& rules, uint32_t samples, float coordinate, float w,
                                 const ViewportAxis& axis);
 
-/// Snaps a float32 framebuffer coordinate as a float32 driver does.
+/// Snaps a float32 framebuffer coordinate as a float32 driver does (for an origin within the viewport: one that is less
+/// half a pixel already).
 [[nodiscard]] int32_t snapFloat(const Rules& rules, uint32_t samples, float pixels);
+
+/// One coordinate through float32 viewport arithmetic and snapping.
+[[nodiscard]] int32_t mapAndSnapFloat(const Rules& rules, uint32_t samples, float coordinate, float w,
+                                      const ViewportAxis& axis, ViewportArithmetic arithmetic);
+
+/// Snaps a framebuffer coordinate that was computed in doubles (of a vertex that clipping made).
+[[nodiscard]] int32_t snapPosition(const Rules& rules, uint32_t samples, double pixels);
 
 /// The neighbouring grid points between which a vertex may legally go, for a coordinate known within ±`uncertainty`
 /// pixels (0: exactly, and then a point on the grid stays).

@@ -20,6 +20,13 @@ double depthErrorBound(double scaled, double offset, double result) {
   return kHalfUlp * (3 * std::fabs(scaled) + std::fabs(offset) + std::fabs(result));
 }
 
+// A clipper outside the vertex stage maps its vertices without fused operations.
+ViewportArithmetic clippedArithmetic(const Choices& choices) {
+  const bool ofVertices = choices.clipArithmetic == ClipArithmetic::Float32Weighted &&
+                          choices.viewportArithmetic != ViewportArithmetic::Exact;
+  return ofVertices ? choices.viewportArithmetic : ViewportArithmetic::Float32;
+}
+
 void shiftHalfPixel(RasterVertex& vertex) {
   vertex.snapped.x += kSubpixelOne / 2;
   vertex.position.x += 0.5;
@@ -104,16 +111,14 @@ RasterVertex VertexStage::clipped(const ClipVertex& clip) const {
   vertex.relativeWError = clip.error[3] / std::fabs(p[3]);
   vertex.deviation = std::max(errorX, errorY);
 
-  if (rules.choices.clipArithmetic == ClipArithmetic::Float32Linear) {
-    // A clipper outside the vertex stage: float32 without fused operations.
-    const auto map = [&](size_t i, const ViewportAxis& axis) {
-      return toFramebufferFloat(static_cast<float>(p[i]), static_cast<float>(p[3]), axis, ViewportArithmetic::Float32);
-    };
-    vertex.snapped = {snapFloat(rules, samples, map(0, viewport.x)), snapFloat(rules, samples, map(1, viewport.y))};
+  if (rules.choices.clipArithmetic == ClipArithmetic::Exact) {
+    vertex.snapped = {snapPosition(rules, samples, vertex.position.x), snapPosition(rules, samples, vertex.position.y)};
   } else {
-    const int bits = gridBits(rules);
-    vertex.snapped = {snap(vertex.position.x, bits, rules.choices.snapRounding),
-                      snap(vertex.position.y, bits, rules.choices.snapRounding)};
+    const ViewportArithmetic arithmetic = clippedArithmetic(rules.choices);
+    const auto map = [&](size_t i, const ViewportAxis& axis) {
+      return mapAndSnapFloat(rules, samples, static_cast<float>(p[i]), static_cast<float>(p[3]), axis, arithmetic);
+    };
+    vertex.snapped = {map(0, viewport.x), map(1, viewport.y)};
   }
   vertex.lowest = vertex.highest = vertex.snapped;
   if (rules.open) {

@@ -39,13 +39,15 @@ FramebufferPosition toFramebuffer(const double clip[4], const ViewportTransform&
   return {map(0, transform.x), map(1, transform.y), map(2, transform.z)};
 }
 
-float toFramebufferFloat(float coordinate, float w, const ViewportAxis& axis, ViewportArithmetic arithmetic) {
+float toFramebufferFloat(float coordinate, float w, const ViewportAxis& axis, ViewportArithmetic arithmetic, float origin) {
   const float scale = static_cast<float>(axis.scale);
-  const float offset = static_cast<float>(axis.centre) + static_cast<float>(axis.origin);
+  float offset = static_cast<float>(axis.centre) + static_cast<float>(axis.origin);
+  if (origin != 0) offset -= origin;
+  const bool divides = arithmetic == ViewportArithmetic::Float32Division || arithmetic == ViewportArithmetic::Float32DivisionFma;
+  const bool fuses = arithmetic == ViewportArithmetic::Float32Fma || arithmetic == ViewportArithmetic::Float32DivisionFma;
   const float reciprocal = 1.0F / w;
-  const float ndc = coordinate * reciprocal;
-  if (arithmetic == ViewportArithmetic::Float32Fma) return std::fma(ndc, scale, offset);
-  return ndc * scale + offset;
+  const float ndc = divides ? coordinate / w : coordinate * reciprocal;
+  return fuses ? std::fma(ndc, scale, offset) : ndc * scale + offset;
 }
 
 double viewportArithmeticBound(float coordinate, float w, const ViewportAxis& axis) {

@@ -25,8 +25,10 @@ struct ViewportTransform {
 /// clip → framebuffer in doubles (relative error of a few 2^-53). w must not be 0.
 [[nodiscard]] FramebufferPosition toFramebuffer(const double clip[4], const ViewportTransform& transform);
 
-/// One coordinate as a float32 driver computes it. [choice:viewport-arithmetic]
-[[nodiscard]] float toFramebufferFloat(float coordinate, float w, const ViewportAxis& axis, ViewportArithmetic arithmetic);
+/// One coordinate as a float32 driver computes it. `origin` (0 or half a pixel) is subtracted from the viewport's offset.
+/// [choice:viewport-arithmetic]
+[[nodiscard]] float toFramebufferFloat(float coordinate, float w, const ViewportAxis& axis, ViewportArithmetic arithmetic,
+                                       float origin = 0);
 
 /// Bound on |float32 result - exact| in pixels, for any order of the few float32 operations a driver may choose:
 /// reciprocal, two products, one sum and one subtraction of half a pixel, each within 2^-24 relative of its result.

@@ -8,6 +8,7 @@
 #include "harness/compare/legal_outcomes.hpp"
 #include "harness/compare/value_accumulator.hpp"
 #include "harness/compare/whole_pixels.hpp"
+#include "rasterizer/choice_table.hpp"
 #include "rasterizer/depth/format.hpp"
 #include "rasterizer/fragment/resolve.hpp"
 #include "rasterizer/fragment/value_freedoms.hpp"
@@ -153,7 +154,7 @@ class Comparison {
         const std::span<const float> own = std::span(samples.data).subspan(pixel * perPixel + component, perPixel - component);
         exact.clear();
         for (const float value : own) exact.push_back({value, value});
-        const rasterizer::Interpolated mean = rasterizer::meanOf(own, exact, components);
+        const rasterizer::Interpolated mean = rasterizer::meanOf(own, exact, components, rules_.choices.resolveArithmetic);
         values_[first + v].add({static_cast<uint32_t>(pixel % means.width), static_cast<uint32_t>(pixel / means.width), 0,
                                 static_cast<uint32_t>(component)},
                                mean.value, means.data[i], mean.bounds);
@@ -316,7 +317,8 @@ Result<SceneResult> compare(const Scene& scene, const rasterizer::Rules& rules, 
     return fail(ErrorCode::BadInput, scene.name, "the two frames do not have the same planes",
                 "both have to be rendered from this scene");
   }
-  return Comparison(scene, rules, reference, actual).run();
+  const rasterizer::Rules applied = rasterizer::rulesFor(scene, rules);
+  return Comparison(scene, applied, reference, actual).run();
 }
 
 }  // namespace rasterdiff::harness

@@ -11,6 +11,18 @@ double unitOf(double z) {
   return std::ldexp(1.0, exponent - 1 - 23);
 }
 
+// [choice:depth-bias-unit]
+double unitOf(DepthBiasUnit unit, uint32_t bits) {
+  const auto range = static_cast<double>((uint64_t{1} << bits) - 1);
+  switch (unit) {
+    case DepthBiasUnit::OneStep: break;
+    case DepthBiasUnit::TwoSteps: return 2 / range;
+    case DepthBiasUnit::OneStepOfRange: return 1 / range;
+    case DepthBiasUnit::OneStepAndPercent: return 1.01 / range;
+  }
+  return std::ldexp(1.0, -static_cast<int>(bits));
+}
+
 double clampBias(double bias, double limit) {
   if (limit > 0) return std::min(bias, limit);
   if (limit < 0) return std::max(bias, limit);
@@ -34,9 +46,7 @@ Interval smallestDifference(uint32_t bits, const Interval& largestDepth, const R
     return {unitOf(rounded(largestDepth.value)), unitOf(rounded(largestDepth.lo)), unitOf(rounded(largestDepth.hi))};
   }
   const double step = std::ldexp(1.0, -static_cast<int>(bits));
-  const double chosen = rules.choices.depthBiasUnit == DepthBiasUnit::OneStep
-                            ? step
-                            : 2 / static_cast<double>((uint64_t{1} << bits) - 1);
+  const double chosen = unitOf(rules.choices.depthBiasUnit, bits);
   if (!rules.open) return {chosen, chosen, chosen};
   return {chosen, step, 2 * step};
 }
@@ -44,8 +54,10 @@ Interval smallestDifference(uint32_t bits, const Interval& largestDepth, const R
 Interval depthBias(const State& state, uint32_t bits, const Rules& rules, const BiasInputs& inputs) {
   const Gradient& slope = inputs.slope;
   const double larger = std::max(std::fabs(slope.dx), std::fabs(slope.dy));
-  const double longest = rules.open ? std::hypot(slope.dx, slope.dy) : larger;
-  Interval m{larger, std::max(0.0, larger - slope.radius), longest + std::sqrt(2.0) * slope.radius};
+  const double length = std::hypot(slope.dx, slope.dy);
+  const double nominal = rules.choices.depthBiasSlope == DepthBiasSlope::Length ? length : larger;  // [choice:depth-bias-slope]
+  const double shortest = rules.open ? larger : nominal, longest = rules.open ? length : nominal;
+  Interval m{nominal, std::max(0.0, shortest - slope.radius), longest + std::sqrt(2.0) * slope.radius};
   double slopeFactor = state.depthBiasSlopeFactor, constantFactor = state.depthBiasConstantFactor, limit = state.depthBiasClamp;
   if (rules.error == DeliberateError::DepthBiasSlopeSum) m.value = std::fabs(slope.dx) + std::fabs(slope.dy);
   if (rules.error == DeliberateError::DepthBiasSlopeX) m.value = std::fabs(slope.dx);

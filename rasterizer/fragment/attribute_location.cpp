@@ -51,7 +51,7 @@ EvaluationOffset evaluationOffset(float x, float y, const Rules& rules) {
 }
 
 AttributeLocation::AttributeLocation(std::vector<SubpixelPosition> pattern, const Rules& rules)
-    : pattern_(std::move(pattern)), areaIsFree_(rules.openValues() && pattern_.size() > 1),
+    : pattern_(std::move(pattern)), centroid_(rules.choices.centroid), areaIsFree_(rules.openValues() && pattern_.size() > 1),
       error_(rules.error) {}
 
 EvaluationRegion AttributeLocation::around(Spot centre, RegionStorage& storage) const {
@@ -70,11 +70,34 @@ uint32_t AttributeLocation::firstCovered(const FragmentPlace& place) const {
   return place.covered == 0 ? place.sample : static_cast<uint32_t>(std::countr_zero(place.covered));
 }
 
+Spot AttributeLocation::meanOfCovered(const FragmentPlace& place) const {
+  Spot sum;
+  uint32_t count = 0;
+  for (uint32_t s = 0; s < samples(); ++s) {
+    if ((place.covered & (1U << s)) == 0) continue;
+    const Spot spot = sampleOf(place, s, pattern_);
+    sum = {sum.x + spot.x, sum.y + spot.y};
+    ++count;
+  }
+  return count == 0 ? sampleOf(place, place.sample, pattern_) : Spot{sum.x / count, sum.y / count};
+}
+
+Spot AttributeLocation::nominalCentroid(const FragmentPlace& place) const {
+  if (samples() == 1 || error_ == DeliberateError::CentroidIgnored) return centreOf(place);
+  const uint32_t all = (1U << samples()) - 1;
+  switch (centroid_) {
+    case CentroidPosition::CentreOrFirst:
+      if ((place.covered & all) == all) return centreOf(place);
+      break;
+    case CentroidPosition::First: break;
+    case CentroidPosition::Mean: return meanOfCovered(place);
+  }
+  return sampleOf(place, firstCovered(place), pattern_);
+}
+
 EvaluationRegion AttributeLocation::centroid(const FragmentPlace& place, const Primitive& primitive,
                                              RegionStorage& storage) const {
-  const uint32_t all = (1U << samples()) - 1;
-  const bool centre = samples() == 1 || (place.covered & all) == all || error_ == DeliberateError::CentroidIgnored;
-  const Spot nominal = centre ? centreOf(place) : sampleOf(place, firstCovered(place), pattern_);
+  const Spot nominal = nominalCentroid(place);
   if (!areaIsFree_) return {nominal, {}};
   if (primitive.polygon.size() < 3) return {nominal, around(centreOf(place), storage).corners};
   clipToPixel(place, primitive.polygon, storage);

@@ -37,15 +37,18 @@ class AttributeLocation {
   [[nodiscard]] EvaluationRegion around(Spot centre, RegionStorage& storage) const;
   /// At a sample and nowhere else.
   [[nodiscard]] EvaluationRegion atSample(const FragmentPlace& place) const;
-  /// Fully covered: the centre; else the first covered sample. Under open rules anywhere in the pixel that `primitive`
+  /// Where the rules' choice says. [choice:centroid] Under open rules anywhere in the pixel that `primitive`
   /// covers (a figure: anywhere in the pixel).
   [[nodiscard]] EvaluationRegion centroid(const FragmentPlace& place, const Primitive& primitive, RegionStorage& storage) const;
   [[nodiscard]] EvaluationRegion at(const FragmentPlace& place, const EvaluationOffset& offset, RegionStorage& storage) const;
 
  private:
   [[nodiscard]] uint32_t firstCovered(const FragmentPlace& place) const;
+  [[nodiscard]] Spot meanOfCovered(const FragmentPlace& place) const;
+  [[nodiscard]] Spot nominalCentroid(const FragmentPlace& place) const;
 
   const std::vector<SubpixelPosition> pattern_;
+  const CentroidPosition centroid_;
   const bool areaIsFree_;
   const DeliberateError error_;
 };

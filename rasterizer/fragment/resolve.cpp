@@ -1,9 +1,42 @@
 #include "rasterizer/fragment/resolve.hpp"
 
-namespace rasterdiff::rasterizer {
+#include <array>
 
-Interpolated meanOf(std::span<const float> values, std::span<const Bounds> bounds, size_t stride) {
+namespace rasterdiff::rasterizer {
+namespace {
+
+// `at(i)`: sample i. All of these are monotonic in every sample, so that bounds go through them like values.
+template <class At>
+float meanBy(ResolveArithmetic arithmetic, size_t n, const At& at) {
+  const float scale = 1.0F / static_cast<float>(n);
+  if (arithmetic == ResolveArithmetic::InOrder) {
+    float sum = at(0);
+    for (size_t i = 1; i < n; ++i) sum += at(i);
+    return sum * scale;
+  }
+  if (arithmetic == ResolveArithmetic::Pairwise) {
+    std::array<float, 16> sums{};
+    for (size_t i = 0; i < n; ++i) sums[i] = at(i);
+    for (size_t left = n; left > 1; left /= 2) {
+      for (size_t i = 0; i < left / 2; ++i) sums[i] = sums[2 * i] + sums[2 * i + 1];
+    }
+    return sums[0] * scale;
+  }
+  double sum = 0;
+  for (size_t i = 0; i < n; ++i) sum += double{at(i)};
+  return static_cast<float>(sum / static_cast<double>(n));
+}
+
+}  // namespace
+
+Interpolated meanOf(std::span<const float> values, std::span<const Bounds> bounds, size_t stride,
+                    ResolveArithmetic arithmetic) {
   const size_t n = (values.size() + stride - 1) / stride;
+  if (arithmetic != ResolveArithmetic::Any) {
+    return {meanBy(arithmetic, n, [&](size_t i) { return values[i * stride]; }),
+            {meanBy(arithmetic, n, [&](size_t i) { return bounds[i * stride].lo; }),
+             meanBy(arithmetic, n, [&](size_t i) { return bounds[i * stride].hi; })}};
+  }
   double sum = 0, lo = 0, hi = 0, magnitude = 0;
   for (size_t i = 0; i < values.size(); i += stride) {
     sum += double{values[i]};
@@ -33,7 +66,7 @@ float mistakenMean(std::span<const float> samples, size_t stride, float mean, De
 
 }  // namespace
 
-VaryingPlane resolved(const VaryingPlane& plane, DeliberateError error, RuleCounts& counts) {
+VaryingPlane resolved(const VaryingPlane& plane, const Rules& rules, RuleCounts& counts) {
   const Plane<float>& values = plane.values;
   const uint32_t components = values.components;
   VaryingPlane result{plane.name, Plane<float>(values.width, values.height, 1, components), std::nullopt};
@@ -44,8 +77,9 @@ VaryingPlane resolved(const VaryingPlane& plane, DeliberateError error, RuleCoun
     for (size_t c = 0; c < components; ++c) {
       const size_t first = pixel * perPixel + c, count = perPixel - c;
       const std::span<const float> samples = std::span(values.data).subspan(first, count);
-      const Interpolated mean = meanOf(samples, std::span(plane.bounds->data).subspan(first, count), components);
-      result.values.data[pixel * components + c] = mistakenMean(samples, components, mean.value, error);
+      const Interpolated mean = meanOf(samples, std::span(plane.bounds->data).subspan(first, count), components,
+                                       rules.choices.resolveArithmetic);
+      result.values.data[pixel * components + c] = mistakenMean(samples, components, mean.value, rules.error);
       result.bounds->data[pixel * components + c] = mean.bounds;
       for (size_t s = components; s < count; s += components) differ = differ || samples[s] != samples[0];
     }

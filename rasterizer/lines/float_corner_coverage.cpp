@@ -69,7 +69,7 @@ std::unique_ptr<LineCoverage> floatCornerCoverage(const LineEnds& ends, const Li
     Outline outline;
     for (size_t i = 0; i < 4; ++i) {
       EdgeFunction& edge = outline.edges[i];
-      edge = edgeFunction((*corners)[i], (*corners)[(i + 1) % 4], rules.choices.tieOwner);
+      edge = edgeFunction((*corners)[i], (*corners)[(i + 1) % 4], tieRule(rules.choices));
       edge.ownsTies = (edge.dx != 0 || edge.dy != 0) && ownsLineTies(rules, edge.dx, edge.dy);
     }
     if (multisampled) outline.seen = binnedArea(*corners, style.area);

@@ -13,7 +13,7 @@ bool ownsLineTies(const Rules& rules, int64_t dx, int64_t dy) {
     case DeliberateError::TieOwnerBottomRight:
       return ownsTies(TieOwner::BottomRight, dx, dy);
     default:
-      return ownsTies(rules.choices.tieOwner, dx, dy);
+      return ownsTies(tieRule(rules.choices), dx, dy);
   }
 }
 

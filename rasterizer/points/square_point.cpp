@@ -49,6 +49,15 @@ class SquarePoint final : public Shape {
   Axis x_, y_;
 };
 
+// A square of corners made in clip space, as a polygon's vertices are. // 0.5 / (½ · viewport) = one pixel, halved
+Interval clipCorners(float coordinate, float w, const ViewportAxis& axis, float size, bool ownsLow, const VertexStage& stage) {
+  const float half = size * w * (0.5F / static_cast<float>(std::fabs(axis.scale)));
+  const auto snapped = [&](float corner) { return snapUnder(stage.rules, stage.samples, std::max(-w, std::min(corner, w)), w, axis); };
+  const auto [low, high] = std::minmax({snapped(coordinate - half), snapped(coordinate + half)});
+  const int64_t shift = ownsLow ? 0 : 1;
+  return {low + shift, high + shift};
+}
+
 }  // namespace
 
 PointSize pointSize(float size, const Limits& limits) {
@@ -70,12 +79,15 @@ std::unique_ptr<Shape> makePointShape(const ClipPosition& position, const Raster
   // Half sides in 1/256 pixel, on the grid that ceilingExactly takes.
   const auto halfSide = [](float side) { return std::nearbyint(double{side} * 128 * 1024) / 1024; };
   const double half = halfSide(size.nominal);
-  const auto axis = [&](float coordinate, const ViewportAxis& viewportAxis, int32_t snapped, int32_t lowest, int32_t highest) {
+  const auto axis = [&](float coordinate, const ViewportAxis& viewportAxis, int32_t snapped, int32_t lowest, int32_t highest,
+                        bool ownsLow) {
     SquarePoint::Axis result;
     if (stage.rules.choices.pointArithmetic == PointArithmetic::SnappedCentre) {
       // The centre snapped like a vertex, the side in whole subpixels and at least a pixel, its half rounded down.
       const auto side = std::max<int64_t>(kSubpixelOne, static_cast<int64_t>(std::nearbyint(double{size.requested} * kSubpixelOne)));
       result.nominal = {snapped - side / 2, snapped - side / 2 + side};
+    } else if (stage.rules.choices.pointArithmetic == PointArithmetic::ClipCorners) {
+      result.nominal = clipCorners(coordinate, position.w, viewportAxis, size.requested, ownsLow, stage);
     } else if (stage.rules.error == DeliberateError::PointRounded) {
       result.nominal = {snapped - static_cast<int64_t>(half), snapped + static_cast<int64_t>(std::ceil(half))};
     } else {
@@ -88,9 +100,10 @@ std::unique_ptr<Shape> makePointShape(const ClipPosition& position, const Raster
     result.certain = {highest - inward + 1, lowest + inward};
     return result;
   };
+  const TieRule ties = tieRule(stage.rules.choices);
   return std::make_unique<SquarePoint>(
-      axis(position.x, stage.viewport.x, vertex.snapped.x, vertex.lowest.x, vertex.highest.x),
-      axis(position.y, stage.viewport.y, vertex.snapped.y, vertex.lowest.y, vertex.highest.y));
+      axis(position.x, stage.viewport.x, vertex.snapped.x, vertex.lowest.x, vertex.highest.x, ownsTies(ties, 0, -1)),
+      axis(position.y, stage.viewport.y, vertex.snapped.y, vertex.lowest.y, vertex.highest.y, ownsTies(ties, 1, 0)));
 }
 
 }  // namespace rasterdiff::rasterizer

@@ -1,0 +1,125 @@
+#include "rasterizer/choice_table.hpp"
+
+#include <array>
+
+namespace rasterdiff::rasterizer {
+namespace {
+
+using Names = std::string_view;
+
+template <auto Field>
+uint32_t read(const Choices& choices) {
+  return static_cast<uint32_t>(choices.*Field);
+}
+
+template <auto Field>
+void write(Choices& choices, uint32_t answer) {
+  using Answer = std::remove_reference_t<decltype(choices.*Field)>;
+  choices.*Field = static_cast<Answer>(answer);
+}
+
+constexpr uint32_t kLeastBits = 4;  // [vk:limits-subPixelPrecisionBits]
+uint32_t readBits(const Choices& choices) { return choices.subPixelBits == 0 ? 0 : choices.subPixelBits - kLeastBits + 1; }
+void writeBits(Choices& choices, uint32_t answer) { choices.subPixelBits = answer == 0 ? 0 : answer + kLeastBits - 1; }
+
+constexpr std::array<Names, 6> kBits{"advertised", "4", "5", "6", "7", "8"};
+constexpr std::array<Names, 5> kViewport{"Exact", "Float32", "Float32Fma", "Float32Division", "Float32DivisionFma"};
+constexpr std::array<Names, 8> kRounding{"NearestEven", "NearestUp",   "Floor",            "TowardZero",
+                                         "NearestDown", "NearestAway", "NearestTowardZero", "Ceiling"};
+constexpr std::array<Names, 4> kOrigin{"Corner", "CentreAtOneSample", "Centre", "CentreInViewport"};
+constexpr std::array<Names, 4> kOwner{"TopLeft", "TopRight", "BottomLeft", "BottomRight"};
+constexpr std::array<Names, 4> kSlanted{"LikeVertical", "AgainstVertical", "LikeHorizontal", "AgainstHorizontal"};
+constexpr std::array<Names, 2> kWinding{"Same", "OppositeIfCounterClockwise"};
+constexpr std::array<Names, 3> kClip{"Exact", "Float32Linear", "Float32Weighted"};
+constexpr std::array<Names, 3> kPoint{"Exact", "SnappedCentre", "ClipCorners"};
+constexpr std::array<Names, 2> kLine{"Exact", "Float32Corners"};
+constexpr std::array<Names, 2> kDiamond{"Vulkan", "Direct3D11"};
+constexpr std::array<Names, 4> kBiasUnit{"OneStep", "TwoSteps", "OneStepOfRange", "OneStepAndPercent"};
+constexpr std::array<Names, 2> kBiasSlope{"Larger", "Length"};
+constexpr std::array<Names, 3> kCentroid{"CentreOrFirst", "First", "Mean"};
+constexpr std::array<Names, 2> kPlanes{"Unsnapped", "Snapped"};
+constexpr std::array<Names, 4> kResolve{"Any", "RoundedOnce", "InOrder", "Pairwise"};
+
+template <auto Field>
+constexpr ChoiceInfo row(Choice choice, Names name, Names question, std::span<const Names> answers) {
+  return {choice, name, question, answers, read<Field>, write<Field>};
+}
+
+constexpr std::array<ChoiceInfo, kChoices> kTable{
+    ChoiceInfo{Choice::SubPixelBits, "subPixelBits", "subpixel bits in use", kBits, readBits, writeBits},
+    row<&Choices::viewportArithmetic>(Choice::ViewportArithmetic, "viewportArithmetic", "division and viewport", kViewport),
+    row<&Choices::snapRounding>(Choice::SnapRounding, "snapRounding", "rounding to the grid", kRounding),
+    row<&Choices::snapOrigin>(Choice::SnapOrigin, "snapOrigin", "origin of the rounding", kOrigin),
+    row<&Choices::tieOwner>(Choice::TieOwner, "tieOwner", "owner of level edges", kOwner),
+    row<&Choices::slantedTies>(Choice::SlantedTies, "slantedTies", "owner of slanted edges", kSlanted),
+    row<&Choices::tieWinding>(Choice::TieWinding, "tieWinding", "ties by winding", kWinding),
+    row<&Choices::clipArithmetic>(Choice::ClipArithmetic, "clipArithmetic", "vertices made by clipping", kClip),
+    row<&Choices::pointArithmetic>(Choice::PointArithmetic, "pointArithmetic", "square of a point", kPoint),
+    row<&Choices::lineArithmetic>(Choice::LineArithmetic, "lineArithmetic", "outline of a line", kLine),
+    row<&Choices::diamondExit>(Choice::DiamondExit, "diamondExit", "border of the diamond", kDiamond),
+    row<&Choices::depthBiasUnit>(Choice::DepthBiasUnit, "depthBiasUnit", "unit of depth bias", kBiasUnit),
+    row<&Choices::depthBiasSlope>(Choice::DepthBiasSlope, "depthBiasSlope", "slope of depth bias", kBiasSlope),
+    row<&Choices::centroid>(Choice::Centroid, "centroid", "place of centroid inputs", kCentroid),
+    row<&Choices::planePositions>(Choice::PlanePositions, "planePositions", "positions under values", kPlanes),
+    row<&Choices::resolveArithmetic>(Choice::ResolveArithmetic, "resolveArithmetic", "rounding of a resolve", kResolve),
+};
+
+bool isOutside(const ClipPosition& p) {
+  return p.x > p.w || -p.x > p.w || p.y > p.w || -p.y > p.w || p.z > p.w || p.z < 0;
+}
+
+bool isLine(PrimitiveTopology topology) {
+  return topology == PrimitiveTopology::LINE_LIST || topology == PrimitiveTopology::LINE_STRIP;
+}
+
+bool mayClip(const Scene& scene) {
+  for (const Draw& draw : scene.draws) {
+    if (draw.clipDistanceCount > 0) return true;
+    for (const ClipPosition& p : draw.positions) {
+      if (isOutside(p)) return true;
+    }
+  }
+  return false;
+}
+
+bool dependsOn(const Scene& scene, Choice choice) {
+  const State& state = scene.state;
+  switch (choice) {
+    case Choice::ClipArithmetic: return mayClip(scene);
+    case Choice::PointArithmetic:
+      return state.topology == PrimitiveTopology::POINT_LIST || state.polygonMode == PolygonMode::POINT;
+    case Choice::LineArithmetic:
+    case Choice::DiamondExit: return isLine(state.topology) || state.polygonMode == PolygonMode::LINE;
+    case Choice::DepthBiasUnit:
+    case Choice::DepthBiasSlope: return state.depthBiasEnable;
+    case Choice::Centroid:          // opens values, not coverage
+    case Choice::PlanePositions:    // widens their intervals where they are computed
+    case Choice::ResolveArithmetic: // has an answer that is open
+      return false;
+    default: return true;
+  }
+}
+
+}  // namespace
+
+std::span<const ChoiceInfo> choiceTable() { return kTable; }
+
+const ChoiceInfo& info(Choice choice) { return kTable[static_cast<size_t>(choice)]; }
+
+std::optional<Choice> choiceByName(std::string_view name) {
+  for (const ChoiceInfo& row : kTable) {
+    if (row.name == name) return row.choice;
+  }
+  return std::nullopt;
+}
+
+Rules rulesFor(const Scene& scene, const Rules& rules) {
+  Rules applied = rules;
+  for (const ChoiceInfo& row : kTable) {
+    if (isOpen(rules, row.choice) && dependsOn(scene, row.choice)) applied.open = true;
+  }
+  if (isOpen(rules, Choice::Centroid)) applied.choices.valuesOpen = true;
+  return applied;
+}
+
+}  // namespace rasterdiff::rasterizer
