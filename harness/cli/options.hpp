@@ -51,6 +51,17 @@ struct ListOptions {
   bool json = false;
 };
 
-using Verb = std::variant<CheckOptions, RenderOptions, ExplainOptions, DevicesOptions, ListOptions>;
+struct HuntOptions {
+  std::string family = "any";
+  uint64_t seed = 1;
+  std::optional<uint64_t> count;  ///< scenes, rounded up to whole lanes
+  double seconds = 60;            ///< without count: rounds begin until then
+  std::string folder = "findings", json;
+  bool known = false;             ///< list known differences too
+  uint32_t jobs = 0;              ///< 0 = one a core
+  DriverChoice choice;
+};
+
+using Verb = std::variant<CheckOptions, RenderOptions, ExplainOptions, DevicesOptions, ListOptions, HuntOptions>;
 
 }  // namespace rasterdiff::harness::cli

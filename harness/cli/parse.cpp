@@ -40,6 +40,16 @@ constexpr const char* kExplainExamples = R"(Examples:
   rasterdiff explain my.scene.json 3 4 --sample 2 --driver swiftshader
   rasterdiff explain fill/shared-diagonal 12 12 --driver none     the reference alone)";
 
+constexpr const char* kHuntExamples = R"(Looks for scenes that differ, shrinks each to the smallest that still does, and writes it as a scene file and a picture.
+
+Examples:
+  rasterdiff hunt --seconds 300                          five minutes of everything on lavapipe
+  rasterdiff hunt --driver swiftshader --rules spec --family clip --seed 7
+  rasterdiff hunt --driver mutant:scissor-off-by-one --count 2000
+  rasterdiff hunt --known                                also what the baseline knows
+
+Exit status: 0 nothing new; 1 something found; 4 the driver crashed or hung.)";
+
 constexpr const char* kDevicesExamples = R"(Examples:
   rasterdiff devices
   rasterdiff devices --json)";
@@ -159,6 +169,26 @@ void addList(CLI::App& app, ListOptions& options) {
   verb->add_flag("--json", options.json, "As JSON");
 }
 
+void addHunt(CLI::App& app, HuntOptions& options) {
+  CLI::App* verb = app.add_subcommand("hunt", "Search for scenes that differ, and shrink them");
+  verb->footer(kHuntExamples);
+  addDriverOptions(*verb, options.choice, ", fault:KIND[=GLOB] (self-test)");
+  verb->add_option("--family", options.family, "any, fill, line, point, clip, depth, values, samples, state")->capture_default_str();
+  verb->add_option("--seed", options.seed, "The same seed and count find the same")
+      ->check(CLI::Range(uint64_t{0}, uint64_t{1} << 32))
+      ->capture_default_str();
+  CLI::Option* count =
+      verb->add_option("--count", options.count, "Scenes, rounded up to lanes of 32")->check(CLI::Range(uint64_t{1}, uint64_t{1} << 32));
+  verb->add_option("--seconds", options.seconds, "Search this long, then shrink what is left")
+      ->check(CLI::Range(0.1, 1e6))
+      ->capture_default_str()
+      ->excludes(count);
+  verb->add_option("-o,--output", options.folder, "Folder for what is found; made when needed")->capture_default_str();
+  verb->add_option("--json", options.json, "Write the result as JSON");
+  verb->add_flag("--known", options.known, "List and write known differences too");
+  verb->add_option("--jobs", options.jobs, "Worker processes (0: one a core)")->check(CLI::Range(0U, 256U));
+}
+
 }  // namespace
 
 tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
@@ -171,6 +201,7 @@ tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
   ExplainOptions explain;
   DevicesOptions devices;
   ListOptions list;
+  HuntOptions hunt;
   addCheck(app, check);
   addRender(app, render);
   addExplain(app, explain);
@@ -178,6 +209,7 @@ tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
   devicesVerb->footer(kDevicesExamples);
   devicesVerb->add_flag("--json", devices.json, "As JSON");
   addList(app, list);
+  addHunt(app, hunt);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -197,6 +229,7 @@ tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
   if (verb == "render") return render;
   if (verb == "explain") return explain;
   if (verb == "devices") return devices;
+  if (verb == "hunt") return hunt;
   return list;
 }
 

@@ -13,5 +13,6 @@ namespace rasterdiff::harness::cli {
 [[nodiscard]] int runVerb(const ExplainOptions& options);
 [[nodiscard]] int runVerb(const DevicesOptions& options);
 [[nodiscard]] int runVerb(const ListOptions& options);
+[[nodiscard]] int runVerb(const HuntOptions& options);
 
 }  // namespace rasterdiff::harness::cli

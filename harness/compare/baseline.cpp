@@ -28,7 +28,7 @@ Result<BaselineEntry> parseEntry(const Json& json, const std::string& where) {
   BaselineEntry entry;
   const std::vector<std::pair<const char*, std::string*>> texts{
       {"driver", &entry.driver}, {"version", &entry.version}, {"rules", &entry.rules}, {"scene", &entry.scene},
-      {"rule", &entry.rule},     {"anchor", &entry.anchor},   {"reason", &entry.reason}};
+      {"rule", &entry.rule},     {"anchor", &entry.anchor},   {"reason", &entry.reason}, {"when", &entry.when}};
   for (const auto& [key, value] : json.items()) {
     const auto text = std::find_if(texts.begin(), texts.end(), [&](const auto& t) { return key == t.first; });
     if (text != texts.end()) {
@@ -42,7 +42,7 @@ Result<BaselineEntry> parseEntry(const Json& json, const std::string& where) {
       }
     } else {
       return fail(ErrorCode::BadInput, where, fmt::format("unknown field \"{}\"", key),
-                  "fields: driver, version, rules, scene, planes, rule, anchor, reason");
+                  "fields: driver, version, rules, scene, planes, rule, anchor, reason, when");
     }
   }
   if (entry.driver.empty() || entry.scene.empty() || entry.planes.empty() || entry.reason.empty()) {
@@ -96,6 +96,7 @@ std::string writeBaseline(const Baseline& baseline) {
   for (const BaselineEntry& entry : baseline.entries) {
     entries.push_back({{"driver", entry.driver}, {"version", entry.version}, {"rules", entry.rules}, {"scene", entry.scene}, {"planes", entry.planes},
                        {"rule", entry.rule}, {"anchor", entry.anchor}, {"reason", entry.reason}});
+    if (!entry.when.empty()) entries.back()["when"] = entry.when;
   }
   return Json{{"entries", entries}}.dump(2) + "\n";
 }

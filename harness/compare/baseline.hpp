@@ -20,6 +20,7 @@ struct BaselineEntry {
   std::string rule;                 ///< "R39"
   std::string anchor;               ///< "vk:fragops-scissor"
   std::string reason;               ///< one sentence
+  std::string when;                 ///< traits of any scene that shows it, for `hunt`: "multisampled scissor"; empty: not stated
 };
 
 struct Baseline {

@@ -1,0 +1,166 @@
+#include "harness/hunt/traits.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rasterdiff::harness::hunt {
+namespace {
+
+constexpr std::array<std::string_view, static_cast<size_t>(Trait::Count_)> kNames{
+    "points", "lines", "triangles", "strip", "fan", "indexed", "restart", "several-draws", "several-primitives",
+    "multisampled", "polygon-line", "polygon-point", "culled", "clockwise", "last-provoking",
+    "scissor", "viewport-elsewhere", "viewport-flipped", "depth-range", "several-viewports",
+    "leaves-sides", "leaves-depth", "no-positive-w", "perspective", "negative-one-to-one",
+    "depth", "depth-unorm", "depth-test", "depth-bias", "depth-clamp", "depth-clip-stated",
+    "wide-line", "bresenham", "rectangular", "stipple", "large-point", "small-point",
+    "clip-distance", "cull-distance", "sample-mask", "sample-shading", "alpha-to-coverage", "resolve",
+    "smooth", "noperspective", "flat", "centroid", "sample", "offset",
+    "frag-coord", "front-facing", "point-coord", "sample-mask-in", "sample-id", "sample-position",
+    "non-finite"};
+
+class Collector {
+ public:
+  explicit Collector(const Scene& scene) : scene_(scene) {}
+
+  Traits collect() {
+    primitives();
+    views();
+    depth();
+    samples();
+    for (const Draw& draw : scene_.draws) vertices(draw);
+    inputs();
+    return traits_;
+  }
+
+ private:
+  void set(Trait trait, bool on = true) {
+    if (on) traits_.set(static_cast<size_t>(trait));
+  }
+
+  void primitives() {
+    using enum PrimitiveTopology;
+    const State& state = scene_.state;
+    const PrimitiveTopology topology = state.topology;
+    const bool triangles = topology == TRIANGLE_LIST || topology == TRIANGLE_STRIP || topology == TRIANGLE_FAN;
+    set(Trait::Points, topology == POINT_LIST);
+    set(Trait::Lines, topology == LINE_LIST || topology == LINE_STRIP);
+    set(Trait::Triangles, triangles);
+    set(Trait::Strip, topology == LINE_STRIP || topology == TRIANGLE_STRIP);
+    set(Trait::Fan, topology == TRIANGLE_FAN);
+    set(Trait::PolygonLine, state.polygonMode == PolygonMode::LINE);
+    set(Trait::PolygonPoint, state.polygonMode == PolygonMode::POINT);
+    set(Trait::Culled, triangles && state.cullMode != CullMode::NONE);
+    set(Trait::Clockwise, state.frontFace == FrontFace::CLOCKWISE);
+    set(Trait::LastProvoking, state.provokingVertexMode == ProvokingVertexMode::LAST_VERTEX);
+    set(Trait::SeveralDraws, scene_.draws.size() > 1);
+    uint32_t primitives = 0;
+    bool ownSizes = false;
+    for (const Draw& draw : scene_.draws) {
+      primitives += primitiveCount(state, draw);
+      set(Trait::Indexed, draw.indices.has_value());
+      const auto indices = draw.indices.value_or(std::vector<uint32_t>{});
+      set(Trait::Restart, std::find(indices.begin(), indices.end(), kRestartIndex) != indices.end());
+      ownSizes = ownSizes || !draw.pointSizes.empty();
+      for (const float size : draw.pointSizes) pointSize(size);
+    }
+    set(Trait::SeveralPrimitives, primitives > 1);
+    if (topology == POINT_LIST || state.polygonMode == PolygonMode::POINT) {
+      if (!ownSizes) pointSize(state.pointSize);
+    }
+    if (!traits_[static_cast<size_t>(Trait::Lines)] && state.polygonMode != PolygonMode::LINE) return;
+    set(Trait::WideLine, state.lineWidth != 1);
+    set(Trait::Bresenham, state.lineRasterizationMode == LineRasterizationMode::BRESENHAM);
+    set(Trait::Rectangular, state.lineRasterizationMode == LineRasterizationMode::RECTANGULAR);
+    set(Trait::Stipple, state.stippledLineEnable);
+  }
+
+  void pointSize(float size) {
+    set(Trait::LargePoint, size > 1);
+    set(Trait::SmallPoint, size < 1);
+  }
+
+  void view(const Viewport& v) {
+    const Target& target = scene_.target;
+    set(Trait::ViewportElsewhere, v.x != 0 || v.width != static_cast<float>(target.width) ||
+                                      std::min(v.y, v.y + v.height) != 0 ||
+                                      std::fabs(v.height) != static_cast<float>(target.height));
+    set(Trait::ViewportFlipped, v.height < 0);
+    set(Trait::DepthRange, v.minDepth != 0 || v.maxDepth != 1);
+  }
+
+  void views() {
+    view(scene_.viewport);
+    set(Trait::Scissor, scene_.scissor.has_value());
+    for (const ViewportAndScissor& further : scene_.furtherViewports) {
+      view(further.viewport);
+      set(Trait::Scissor, further.scissor.has_value());
+    }
+    set(Trait::SeveralViewports, !scene_.furtherViewports.empty());
+  }
+
+  void depth() {
+    const State& state = scene_.state;
+    const auto format = scene_.target.depthFormat;
+    set(Trait::Depth, format.has_value());
+    set(Trait::DepthUnorm, format && *format != DepthFormat::D32_SFLOAT && *format != DepthFormat::D32_SFLOAT_S8_UINT);
+    set(Trait::DepthTest, state.depthTestEnable);
+    set(Trait::DepthBias, state.depthBiasEnable);
+    set(Trait::DepthClamp, state.depthClampEnable);
+    set(Trait::DepthClipStated, state.depthClipEnable.has_value());
+    set(Trait::NegativeOneToOne, state.negativeOneToOne);
+  }
+
+  void samples() {
+    const uint32_t samples = scene_.target.samples;
+    const uint32_t all = samples >= 32 ? ~uint32_t{0} : (uint32_t{1} << samples) - 1;
+    set(Trait::Multisampled, samples > 1);
+    set(Trait::SampleMask, (scene_.state.sampleMask & all) != all);
+    set(Trait::SampleShading, scene_.state.sampleShadingEnable);
+    set(Trait::AlphaToCoverage, scene_.state.alphaToCoverageEnable);
+    set(Trait::Resolve, scene_.target.resolve);
+  }
+
+  void vertices(const Draw& draw) {
+    set(Trait::ClipDistance, draw.clipDistanceCount > 0);
+    set(Trait::CullDistance, draw.cullDistanceCount > 0);
+    for (const ClipPosition& p : draw.positions) {
+      set(Trait::NonFinite, !std::isfinite(p.x + p.y + p.z + p.w));
+      set(Trait::NoPositiveW, !(p.w > 0));
+      set(Trait::Perspective, p.w != draw.positions.front().w);
+      set(Trait::LeavesSides, !(std::fabs(p.x) <= p.w && std::fabs(p.y) <= p.w));
+      set(Trait::LeavesDepth, !(p.z <= p.w && p.z >= (scene_.state.negativeOneToOne ? -p.w : 0)));
+    }
+  }
+
+  void inputs() {
+    if (scene_.draws.empty()) return;
+    for (const Varying& varying : scene_.draws.front().varyings) {
+      set(static_cast<Trait>(static_cast<uint8_t>(Trait::Smooth) + static_cast<uint8_t>(varying.interpolation)));
+    }
+    for (const BuiltIn builtIn : scene_.builtIns) {
+      set(static_cast<Trait>(static_cast<uint8_t>(Trait::FragCoord) + static_cast<uint8_t>(builtIn)));
+    }
+  }
+
+  const Scene& scene_;
+  Traits traits_;
+};
+
+}  // namespace
+
+std::string_view nameOf(Trait trait) { return kNames[static_cast<size_t>(trait)]; }
+
+Traits traitsOf(const Scene& scene) { return Collector(scene).collect(); }
+
+std::string namesOf(const Traits& traits, char separator) {
+  std::string names;
+  for (size_t t = 0; t < traits.size(); ++t) {
+    if (!traits[t]) continue;
+    if (!names.empty()) names += separator;
+    names += kNames[t];
+  }
+  return names;
+}
+
+}  // namespace rasterdiff::harness::hunt

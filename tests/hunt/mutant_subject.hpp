@@ -1,0 +1,37 @@
+// Mutants of a device that offers everything the reference draws, in this process.
+#pragma once
+
+#include <string>
+
+#include "harness/subject.hpp"
+#include "rasterizer/render.hpp"
+
+namespace rasterdiff {
+
+inline Limits generousLimits() {
+  Limits limits;
+  limits.lineWidthMax = 255;
+  limits.lineWidthGranularity = 1.0F / 128;
+  limits.pointSizeMin = 0;
+  limits.pointSizeMax = 255;
+  limits.pointSizeGranularity = 0.125F;
+  limits.stippledRectangularLines = limits.stippledBresenhamLines = true;
+  return limits;
+}
+
+class ReferenceWith final : public harness::Subject {
+ public:
+  explicit ReferenceWith(rasterizer::DeliberateError error)
+      : rules_(*rasterizer::Rules::profile("reference", generousLimits())) {
+    rules_.error = error;
+  }
+  std::string name() const override { return "mutant"; }
+  std::string info() const override { return {}; }
+  const Limits& limits() const override { return rules_.limits; }
+  Result<Frame> render(const Scene& scene) override { return rasterizer::render(scene, rules_); }
+
+ private:
+  rasterizer::Rules rules_;
+};
+
+}  // namespace rasterdiff

@@ -1,0 +1,78 @@
+// The search finds every deliberate error, and what it finds shrinks to next to nothing.
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "harness/hunt/lane.hpp"
+#include "harness/hunt/shrink.hpp"
+#include "scene/file/scene_file.hpp"
+#include "tests/hunt/mutant_subject.hpp"
+
+namespace rasterdiff {
+namespace rasterizer {
+
+void PrintTo(const DeliberateErrorInfo& mutant, std::ostream* out) { *out << mutant.name; }
+
+}  // namespace rasterizer
+
+namespace {
+
+using namespace harness::hunt;
+using harness::Verdict;
+using rasterizer::DeliberateErrorInfo;
+
+class HuntedMutant : public ::testing::TestWithParam<DeliberateErrorInfo> {};
+
+uint32_t primitivesOf(const Scene& scene) {
+  uint32_t primitives = 0;
+  for (const Draw& draw : scene.draws) primitives += primitiveCount(scene.state, draw);
+  return primitives;
+}
+
+TEST_P(HuntedMutant, IsFoundAndShrunk) {
+  ReferenceWith mutant(GetParam().error);
+  const auto rules = *rasterizer::Rules::profile("reference", generousLimits());
+  const Judge judging = [&](const Scene& scene) { return judge(scene, mutant, rules); };
+  LaneOptions options;
+  options.family = familyByName("any");
+  options.limits = generousLimits();
+  Corpus corpus;
+  uint64_t scenes = 0;
+  std::vector<Raw> raw;
+  for (options.lane = 0; options.lane < 400 && raw.empty(); ++options.lane) {
+    LaneResult lane = searchLane(corpus, options, judging);
+    for (Kept& kept : lane.kept) corpus.offer(std::move(kept));
+    scenes += lane.tally.scenes;
+    raw = std::move(lane.raw);
+  }
+  ASSERT_FALSE(raw.empty()) << "not found in " << scenes << " scenes";
+  const Shrunk shrunk = shrink(raw.front().scene, raw.front().signature.kind, judging);
+  EXPECT_EQ(shrunk.judgement.verdict, Verdict::Differs);
+  EXPECT_NE(find(shrunk.judgement, raw.front().signature.kind), nullptr);
+  const uint32_t primitives = primitivesOf(shrunk.scene), pixels = shrunk.scene.target.width * shrunk.scene.target.height;
+  std::cout << "[ HUNT     ] " << GetParam().name << ": " << scenes << " scenes, " << shrunk.attempts << " to shrink, " << primitives
+            << " primitive(s), " << shrunk.scene.target.width << " x " << shrunk.scene.target.height << " pixels, " << shrunk.kind << ": "
+            << namesOf(traitsOf(shrunk.scene)) << "\n";
+  EXPECT_LE(primitives, 3U);
+  EXPECT_LE(pixels, 64U);
+  const Result<Scene> again = parseScene(writeScene(shrunk.scene), "hunt.scene.json");
+  ASSERT_TRUE(again) << again.error().what;
+  EXPECT_EQ(*again, shrunk.scene);
+}
+
+std::vector<DeliberateErrorInfo> mutants() {
+  return {rasterizer::deliberateErrors().begin(), rasterizer::deliberateErrors().end()};
+}
+
+INSTANTIATE_TEST_SUITE_P(All, HuntedMutant, ::testing::ValuesIn(mutants()), [](const auto& testInfo) {
+  std::string name;
+  bool capital = true;
+  for (const char c : testInfo.param.name) {
+    if (c != '-') name += capital ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    capital = c == '-';
+  }
+  return name;
+});
+
+}  // namespace
+}  // namespace rasterdiff
