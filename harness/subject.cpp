@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 #include <fnmatch.h>
 
+#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <optional>
 #include <string_view>
 #include <thread>
 
+#include "rasterizer/legal/legal_rules.hpp"
 #include "rasterizer/mistakes/played_device.hpp"
 #include "rasterizer/render.hpp"
 #include "vkref/device.hpp"
@@ -34,10 +36,10 @@ class DeviceSubject final : public Subject {
   std::unique_ptr<vkref::Device> device_;
 };
 
-/// The reference with one deliberate mistake.
-class MutantSubject final : public Subject {
+/// The reference with one deliberate mistake, or with other legal choices.
+class VariantSubject final : public Subject {
  public:
-  MutantSubject(std::string name, std::string what, rasterizer::Rules rules)
+  VariantSubject(std::string name, std::string what, rasterizer::Rules rules)
       : name_(std::move(name)), what_(std::move(what)), rules_(std::move(rules)) {}
 
   std::string name() const override { return name_; }
@@ -103,7 +105,18 @@ Result<std::unique_ptr<Subject>> openMutant(const SubjectOptions& options, std::
   for (const rasterizer::DeliberateErrorInfo& known : rasterizer::deliberateErrors()) {
     if (known.error == *error) what = known.what;
   }
-  return std::make_unique<MutantSubject>(options.driver, std::move(what), std::move(*rules));
+  return std::make_unique<VariantSubject>(options.driver, std::move(what), std::move(*rules));
+}
+
+Result<std::unique_ptr<Subject>> openLegal(const SubjectOptions& options, std::string_view seed) {
+  uint64_t number = 0;
+  const auto [end, error] = std::from_chars(seed.data(), seed.data() + seed.size(), number);
+  if (error != std::errc{} || end != seed.data() + seed.size()) {
+    return fail(ErrorCode::BadInput, "--driver", fmt::format("'{}' is no number of a legal renderer", seed), "legal:1, legal:2, …");
+  }
+  rasterizer::Rules rules = rasterizer::legalRules(number);
+  std::string what = rasterizer::describe(rules);
+  return std::make_unique<VariantSubject>(options.driver, std::move(what), std::move(rules));
 }
 
 Result<std::unique_ptr<Subject>> openFault(const SubjectOptions& options, std::string_view name) {
@@ -132,7 +145,10 @@ std::string subjectLine(const Subject& subject) {
 }
 
 Result<std::unique_ptr<Subject>> openSubject(const SubjectOptions& options) {
-  constexpr std::string_view kMutant = "mutant:", kFault = "fault:";
+  constexpr std::string_view kMutant = "mutant:", kLegal = "legal:", kFault = "fault:";
+  if (options.driver.starts_with(kLegal)) {
+    return openLegal(options, std::string_view(options.driver).substr(kLegal.size()));
+  }
   if (options.driver.starts_with(kMutant)) {
     return openMutant(options, std::string_view(options.driver).substr(kMutant.size()));
   }

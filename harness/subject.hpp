@@ -14,7 +14,7 @@
 namespace rasterdiff::harness {
 
 struct SubjectOptions {
-  std::string driver = "lavapipe";  ///< "lavapipe", "swiftshader", "PATH.json", "mutant:NAME", "fault:KIND[=GLOB]"
+  std::string driver = "lavapipe";  ///< "lavapipe", "swiftshader", "PATH.json", "mutant:NAME", "legal:SEED", "fault:KIND[=GLOB]"
   bool validate = false;
   double timeoutSeconds = 20;
   std::string profile = "reference";  ///< the profile that mutants and faults are made of; a device ignores it

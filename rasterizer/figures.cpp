@@ -141,8 +141,9 @@ void FigureMaker::makeLine(Primitive& primitive, const ClipInput& a, const ClipI
     if (rules_.error == DeliberateError::LineClipDrops) return;
     if (a.position.w > 0 && b.position.w > 0) ends.uncut = {stage_.original(a.position), stage_.original(b.position)};
   }
-  ends.removed = clipped.size < 2 || clipped.vertices[0].position[3] <= 0 || clipped.vertices[1].position[3] <= 0;
-  if (ends.removed && (!rules_.open || !ends.uncut)) return;
+  const bool uncut = rules_.variation && rules_.variation->linesUncut && ends.uncut;
+  ends.removed = uncut || clipped.size < 2 || clipped.vertices[0].position[3] <= 0 || clipped.vertices[1].position[3] <= 0;
+  if (ends.removed && !uncut && (!rules_.open || !ends.uncut)) return;
   if (!ends.removed) {
     ends.a = stage_.clipped(clipped.vertices[0]);
     ends.b = stage_.clipped(clipped.vertices[1]);
@@ -152,6 +153,7 @@ void FigureMaker::makeLine(Primitive& primitive, const ClipInput& a, const ClipI
     ends.a = (*ends.uncut)[0];
     ends.b = (*ends.uncut)[1];
     ends.b.smoothWeights = ends.b.linearWeights = {0, 1, 0};
+    if (uncut) ends.removed = false;
   }
   if (rules_.error == DeliberateError::LineEndIncluded) lengthen(ends.b, ends.a);
   addLine(primitive, ends, false, false);

@@ -49,6 +49,7 @@ FrameWriter::FrameWriter(const Scene& scene, const SceneNeeds& needs, const Rule
   const auto [width, height, samples] = std::array{scene.target.width, scene.target.height, scene.target.samples};
   depthPattern_ = pattern_;
   if (error_ == DeliberateError::DepthAtCentre) depthPattern_.assign(samples, {kSubpixelOne / 2, kSubpixelOne / 2});
+  ditheredAlpha_ = rules.variation && rules.variation->ditheredAlpha;
   alphaComponent_ = error_ == DeliberateError::AlphaFromRed ? 0 : 3;
   masks_ = sampleMask_ != (1U << samples) - 1;
   const bool hasVaryings = !scene.draws.empty() && !scene.draws[0].varyings.empty();
@@ -170,7 +171,8 @@ void FrameWriter::writePixel(uint32_t primitive, PieceValues& values, int32_t x,
 bool FrameWriter::alphaKeeps(const FragmentPlace& place) {
   const Interpolated& alpha = values_[alphaComponent_];
   const float value = error_ == DeliberateError::AlphaInverted ? 1 - alpha.value : alpha.value;
-  const bool keeps = alphaCovers(value, place.sample, frame_.samples);
+  const uint32_t turned = ditheredAlpha_ ? (place.sample + static_cast<uint32_t>(place.x + 3 * place.y)) % frame_.samples : place.sample;
+  const bool keeps = alphaCovers(value, turned, frame_.samples);
   if (!keeps) ++counts_[Rule::AlphaToCoverage];
   if (!open_) {
     Coverage& known = frame_.coverage->at(static_cast<uint32_t>(place.x), static_cast<uint32_t>(place.y), place.sample);

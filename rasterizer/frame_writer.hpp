@@ -42,6 +42,7 @@ class FrameWriter {
   const std::vector<SubpixelPosition> pattern_;
   std::vector<SubpixelPosition> depthPattern_;  ///< where depth is evaluated: at the samples
   size_t alphaComponent_ = 3;
+  bool ditheredAlpha_ = false;
   RuleCounts& counts_;
   Frame frame_;
   std::vector<Interpolated> values_;

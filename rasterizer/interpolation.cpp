@@ -15,8 +15,6 @@ namespace {
 // Of a polygon that nine planes and the four sides of a pixel may have cut.
 constexpr size_t kMostCorners = 32;
 
-double reciprocalWError(const RasterVertex& v) { return std::fabs(v.reciprocalW) * (kHalfUlp + v.relativeWError); }
-
 // |z| of the vertices as far as it is known: what the exponent of a float depth bias comes from.
 Interval largestDepth(const RasterVertex* const* vertices, size_t count) {
   Interval largest;
@@ -38,6 +36,7 @@ PieceValues::PieceValues(const Scene& scene, const SceneNeeds& needs, const Rule
   needsMask_ = (multisampled && inputs_.anyAt(Location::Centroid)) || builtIns_.needsMask();
   perspectiveDepth_ = rules.error == DeliberateError::DepthPerspective;
   plainDepth_ = depthStage_.isPlain() && !perspectiveDepth_;
+  if (rules.variation && rules.variation->attributesAtSamples) perSample_ = multisampled;
   needsW_ = inputs_.anyPerspective() || builtIns_.observe(BuiltIn::FragCoord) || perspectiveDepth_;
   needsDepth_ = needs.depth || builtIns_.observe(BuiltIn::FragCoord);
   // Undecorated inputs of a multisampled fragment may be evaluated outside the triangle, within its pixel.
@@ -51,34 +50,10 @@ bool PieceValues::setUpCurrent(const Primitive& primitive, const SetupTriangle* 
   piece_ = piece;
   figure_ = figure;
   atPoint_ = figure != nullptr && figure->kind == Figure::Kind::Point;
+  varied_.reset();
   freeDepth_ = false;
   alternative_.reset();
   return needsDepth_ || componentCount() > 0;
-}
-
-template <size_t kVertices, class Make>
-void PieceValues::fillPlanes(const std::array<const RasterVertex*, kVertices>& vertices, ValuePlanes& planes,
-                             const Make& make) {
-  std::array<double, kVertices> values{};
-  double inputError = 0;
-  if (needsW_) {
-    for (size_t i = 0; i < kVertices; ++i) {
-      values[i] = vertices[i]->reciprocalW;
-      inputError = std::max(inputError, reciprocalWError(*vertices[i]));
-    }
-    planes.reciprocalW = make(values, inputError, outside_);
-  }
-  if (needsDepth_) {
-    inputError = 0;
-    for (size_t i = 0; i < kVertices; ++i) {
-      values[i] = vertices[i]->position.z * (perspectiveDepth_ ? vertices[i]->reciprocalW : 1);
-      inputError = std::max(inputError, vertices[i]->depthError);
-    }
-    planes.depth = make(values, inputError, builtIns_.any() ? outside_ : 0);
-  }
-  inputs_.fill(*primitive_, vertices, planes, [&](const std::array<double, kVertices>& inputs, double error) {
-    return make(inputs, error, outside_);
-  });
 }
 
 // [choice:plane-positions]
@@ -109,6 +84,7 @@ void PieceValues::setUp(const Primitive& primitive, const SetupTriangle& piece) 
   fillPlanes(v, planes_, [&plane](const std::array<double, 3>& values, double inputError, double outside) {
     return plane.through(values, inputError, outside);
   });
+  if (rules_.variation) varyTriangle(v);
   inputs_.fillFlat(primitive, constants_);
   builtIns_.setUp(primitive, piece);
   if (depthStage_.isPlain()) return;
@@ -170,6 +146,7 @@ void PieceValues::setUpLine(const Figure& figure) {
   // [choice:line-interpolation] nominally by projection, except for parallelograms, whose ends are level.
   const bool parallelogram = kind == LineKind::Parallelogram;
   fill(planes_, figure.a, figure.b, parallelogram ? LineParameter::MajorAxis : LineParameter::Projection);
+  if (rules_.variation) varyLine(figure, parallelogram);
   if (!rules_.openValues()) return;
   const bool wideBresenham = kind == LineKind::Bresenham && figure.size >= 1.5F;
   if (parallelogram || wideBresenham) {
@@ -231,6 +208,10 @@ Interval PieceValues::depthOver(const EvaluationRegion& region) const {
 
 Interpolated PieceValues::depth(double x, double y) const {
   const EvaluationRegion there{{x, y}, {}};
+  if (varied_) {
+    const double z = varied_->depth.at({static_cast<float>(x), static_cast<float>(y)});
+    return depthStage_.stored({z, z, z});
+  }
   if (figure_ == nullptr && plainDepth_) return toFloat(linearOver(planes_.depth, there));
   if (!freeDepth_) return depthStage_.stored(depthOver(there));
   // [vk:primsrast-lines-basic] a line's data are evaluated at the centre or at a sample of the fragment.
@@ -256,6 +237,7 @@ EvaluationRegion PieceValues::regionOf(const Component& component, const Fragmen
 }
 
 void PieceValues::fragment(const FragmentPlace& place, Interpolated* out) {
+  if (varied_) return variedFragment(place, out);
   const EvaluationRegion centre = location_.around(centreOf(place), centreStorage_);
   const bool triangle = figure_ == nullptr;
   const Denominator<4> denominator(planes_.reciprocalW, centre);  // of the many that are evaluated around the centre

@@ -6,6 +6,7 @@
 //   - where in the fragment an input may be evaluated, and by which formula (fragment/, depth/).
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "rasterizer/depth/depth_stage.hpp"
@@ -49,9 +50,14 @@ class PieceValues {
 
   [[nodiscard]] bool setUpCurrent(const Primitive& primitive, const SetupTriangle* piece, const Figure* figure);
   /// Fills `planes` with what `make(values at the corners or ends, inputError, outside)` makes of each value.
-  template <size_t kVertices, class Make>
-  void fillPlanes(const std::array<const RasterVertex*, kVertices>& vertices, ValuePlanes& planes, const Make& make);
+  template <size_t kVertices, class Planes, class Make>
+  void fillPlanes(const std::array<const RasterVertex*, kVertices>& vertices, Planes& planes, const Make& make);
   [[nodiscard]] TrianglePlane planeOf(const std::array<const RasterVertex*, 3>& vertices) const;
+  /// What a legal renderer (Rules::variation) does instead.
+  void varyTriangle(const std::array<const RasterVertex*, 3>& vertices);
+  void varyLine(const Figure& figure, bool majorAxis);
+  [[nodiscard]] Interval varied(size_t component, Spot spot) const;
+  void variedFragment(const FragmentPlace& place, Interpolated* out);
   void setUpPoint(const RasterVertex& vertex);
   void setUpLine(const Figure& figure);
   void setFigureBias(const Figure& figure);
@@ -75,6 +81,7 @@ class PieceValues {
 
   ValuePlanes planes_;
   std::vector<float> constants_;           ///< of flat components, and of all components at a point
+  std::optional<FloatPlanes> varied_;      ///< of a legal renderer: evaluated instead of planes_
   std::optional<ValuePlanes> alternative_; ///< another legal parameter of a line (open rules)
   bool atPoint_ = false;
   bool freeDepth_ = false;  ///< a line's depth may be that of the centre or of any sample
@@ -83,5 +90,31 @@ class PieceValues {
   const Figure* figure_ = nullptr;
   RegionStorage centreStorage_, storage_;
 };
+
+[[nodiscard]] inline double reciprocalWError(const RasterVertex& v) { return std::fabs(v.reciprocalW) * (kHalfUlp + v.relativeWError); }
+
+template <size_t kVertices, class Planes, class Make>
+void PieceValues::fillPlanes(const std::array<const RasterVertex*, kVertices>& vertices, Planes& planes, const Make& make) {
+  std::array<double, kVertices> values{};
+  double inputError = 0;
+  if (needsW_) {
+    for (size_t i = 0; i < kVertices; ++i) {
+      values[i] = vertices[i]->reciprocalW;
+      inputError = std::max(inputError, reciprocalWError(*vertices[i]));
+    }
+    planes.reciprocalW = make(values, inputError, outside_);
+  }
+  if (needsDepth_) {
+    inputError = 0;
+    for (size_t i = 0; i < kVertices; ++i) {
+      values[i] = vertices[i]->position.z * (perspectiveDepth_ ? vertices[i]->reciprocalW : 1);
+      inputError = std::max(inputError, vertices[i]->depthError);
+    }
+    planes.depth = make(values, inputError, builtIns_.any() ? outside_ : 0);
+  }
+  inputs_.fill(*primitive_, vertices, planes, [&](const std::array<double, kVertices>& inputs, double error) {
+    return make(inputs, error, outside_);
+  });
+}
 
 }  // namespace rasterdiff::rasterizer

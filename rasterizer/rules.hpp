@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "rasterizer/deliberate_error.hpp"
+#include "rasterizer/legal/variation.hpp"
 #include "scene/limits.hpp"
 #include "scene/result.hpp"
 
@@ -172,6 +173,7 @@ struct Rules {
   bool open = false;  ///< specification rules: every choice is a freedom, `choices` gives the nominal outcome
   uint32_t openChoices = 0;  ///< single choices that the profile leaves open: bits by Choice (choice_table.hpp)
   DeliberateError error = DeliberateError::None;
+  std::optional<Variation> variation{};  ///< a legal renderer unlike any profile: looks for false alarms
 
   /// Are values judged against everything that the specification allows?
   [[nodiscard]] bool openValues() const { return open || choices.valuesOpen; }

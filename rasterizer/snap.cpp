@@ -97,6 +97,7 @@ int32_t ceilingExactly(float coordinate, float w, const ViewportAxis& axis, doub
 int gridBits(const Rules& rules) {
   if (rules.error == DeliberateError::CoarseSnap) return 4;
   if (rules.error == DeliberateError::SevenBitSnap) return 7;
+  if (rules.variation && rules.variation->gridBits > 0) return static_cast<int>(rules.variation->gridBits);
   const bool own = rules.choices.subPixelBits != 0 && !rules.open;
   return static_cast<int>(std::min<uint32_t>(own ? rules.choices.subPixelBits : rules.limits.subPixelPrecisionBits, kSubpixelBits));
 }

@@ -32,6 +32,19 @@ void shiftHalfPixel(RasterVertex& vertex) {
   vertex.position.x += 0.5;
 }
 
+// [vk:limits-viewportSubPixelBits] both bounds rounded to `bits`.
+Viewport onGrid(Viewport viewport, uint32_t bits) {
+  const auto round = [bits](float bound) {
+    return std::ldexp(std::nearbyint(std::ldexp(bound, static_cast<int>(bits))), -static_cast<int>(bits));
+  };
+  const float right = round(viewport.x + viewport.width), bottom = round(viewport.y + viewport.height);
+  viewport.x = round(viewport.x);
+  viewport.y = round(viewport.y);
+  viewport.width = right - viewport.x;
+  viewport.height = bottom - viewport.y;
+  return viewport;
+}
+
 // A deliberate error: w whose reciprocal has 12 bits.
 ClipPosition withCoarseReciprocal(ClipPosition p) {
   int exponent = 0;
@@ -141,6 +154,7 @@ VertexStage vertexStage(const Scene& scene, const Rules& rules, uint32_t index) 
     viewport.y += viewport.height;
     viewport.height = -viewport.height;
   }
+  if (rules.variation && rules.variation->roundsViewport) viewport = onGrid(viewport, rules.limits.viewportSubPixelBits);
   return {rules, viewportTransform(viewport, scene.state.negativeOneToOne, rules.limits.viewportSubPixelBits),
           scene.target.samples};
 }

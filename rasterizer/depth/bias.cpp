@@ -46,6 +46,7 @@ Interval smallestDifference(uint32_t bits, const Interval& largestDepth, const R
     return {unitOf(rounded(largestDepth.value)), unitOf(rounded(largestDepth.lo)), unitOf(rounded(largestDepth.hi))};
   }
   const double step = std::ldexp(1.0, -static_cast<int>(bits));
+  if (rules.variation) return {rules.variation->biasUnit * step, rules.variation->biasUnit * step, rules.variation->biasUnit * step};
   const double chosen = unitOf(rules.choices.depthBiasUnit, bits);
   if (!rules.open) return {chosen, chosen, chosen};
   return {chosen, step, 2 * step};
@@ -58,6 +59,7 @@ Interval depthBias(const State& state, uint32_t bits, const Rules& rules, const 
   const double nominal = rules.choices.depthBiasSlope == DepthBiasSlope::Length ? length : larger;  // [choice:depth-bias-slope]
   const double shortest = rules.open ? larger : nominal, longest = rules.open ? length : nominal;
   Interval m{nominal, std::max(0.0, shortest - slope.radius), longest + std::sqrt(2.0) * slope.radius};
+  if (rules.variation) m.value = larger + rules.variation->biasSlope * (length - larger);
   double slopeFactor = state.depthBiasSlopeFactor, constantFactor = state.depthBiasConstantFactor, limit = state.depthBiasClamp;
   if (rules.error == DeliberateError::DepthBiasSlopeSum) m.value = std::fabs(slope.dx) + std::fabs(slope.dy);
   if (rules.error == DeliberateError::DepthBiasSlopeX) m.value = std::fabs(slope.dx);

@@ -35,6 +35,7 @@ void DepthStage::setFigureBias(const Primitive& primitive, const BiasInputs& inp
     return;
   }
   // [choice:line-bias] a profile has none on lines and points.
+  if (rules_.variation && rules_.variation->biasesLines) setBias(inputs);
   if (!rules_.open) return;
   const Interval whole = depthBias(state_, unormBits(format_), rules_, inputs);
   // What the slope of a line or a point is, is not stated: none, or that of its values on the screen.

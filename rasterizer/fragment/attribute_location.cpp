@@ -45,6 +45,8 @@ EvaluationOffset evaluationOffset(float x, float y, const Rules& rules) {
   const double steps = std::ldexp(1.0, static_cast<int>(rules.limits.subPixelInterpolationOffsetBits));
   const double left = std::floor(x * steps) / steps, right = std::ceil(x * steps) / steps;
   const double top = std::floor(y * steps) / steps, bottom = std::ceil(y * steps) / steps;
+  if (rules.variation && rules.variation->offset == Variation::Offset::Down) offset.nominal = {left, top};
+  if (rules.variation && rules.variation->offset == Variation::Offset::Up) offset.nominal = {right, bottom};
   offset.corners = boxOf(left, top, right, bottom);
   offset.free = rules.openValues() && (left != right || top != bottom);
   return offset;
@@ -52,7 +54,7 @@ EvaluationOffset evaluationOffset(float x, float y, const Rules& rules) {
 
 AttributeLocation::AttributeLocation(std::vector<SubpixelPosition> pattern, const Rules& rules)
     : pattern_(std::move(pattern)), centroid_(rules.choices.centroid), areaIsFree_(rules.openValues() && pattern_.size() > 1),
-      error_(rules.error) {}
+      error_(rules.error), variation_(rules.variation) {}
 
 EvaluationRegion AttributeLocation::around(Spot centre, RegionStorage& storage) const {
   if (error_ == DeliberateError::CentreAtCorner && samples() == 1) return {{centre.x - 0.5, centre.y - 0.5}, {}};
@@ -95,9 +97,35 @@ Spot AttributeLocation::nominalCentroid(const FragmentPlace& place) const {
   return sampleOf(place, firstCovered(place), pattern_);
 }
 
+Spot AttributeLocation::variedCentroid(const FragmentPlace& place) const {
+  const uint32_t covered = place.covered & ((1U << samples()) - 1);
+  if (samples() == 1 || covered == 0) return centreOf(place);
+  const bool whole = std::popcount(covered) == static_cast<int>(samples());
+  switch (variation_->centroid) {
+    case Variation::Centroid::CentreOrFirst:
+      return whole ? centreOf(place) : sampleOf(place, static_cast<uint32_t>(std::countr_zero(covered)), pattern_);
+    case Variation::Centroid::Last: return sampleOf(place, static_cast<uint32_t>(std::bit_width(covered)) - 1, pattern_);
+    case Variation::Centroid::Mean: break;
+  }
+  Spot mean;
+  for (uint32_t s = 0; s < samples(); ++s) {
+    if ((covered >> s & 1U) == 0) continue;
+    const Spot spot = sampleOf(place, s, pattern_);
+    mean = {mean.x + spot.x / std::popcount(covered), mean.y + spot.y / std::popcount(covered)};
+  }
+  return mean;
+}
+
+Spot AttributeLocation::variedCentre(const FragmentPlace& place) const {
+  const Spot centre = centreOf(place);
+  if (!variation_ || samples() == 1) return centre;
+  if (variation_->attributesAtSamples) return sampleOf(place, place.sample, pattern_);
+  return {centre.x + double{variation_->attributeX}, centre.y + double{variation_->attributeY}};
+}
+
 EvaluationRegion AttributeLocation::centroid(const FragmentPlace& place, const Primitive& primitive,
                                              RegionStorage& storage) const {
-  const Spot nominal = nominalCentroid(place);
+  const Spot nominal = variation_ ? variedCentroid(place) : nominalCentroid(place);
   if (!areaIsFree_) return {nominal, {}};
   if (primitive.polygon.size() < 3) return {nominal, around(centreOf(place), storage).corners};
   clipToPixel(place, primitive.polygon, storage);

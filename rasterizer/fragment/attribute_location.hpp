@@ -40,9 +40,12 @@ class AttributeLocation {
   /// Where the rules' choice says. [choice:centroid] Under open rules anywhere in the pixel that `primitive`
   /// covers (a figure: anywhere in the pixel).
   [[nodiscard]] EvaluationRegion centroid(const FragmentPlace& place, const Primitive& primitive, RegionStorage& storage) const;
+  /// Where a legal renderer (Rules::variation) evaluates an undecorated input.
+  [[nodiscard]] Spot variedCentre(const FragmentPlace& place) const;
   [[nodiscard]] EvaluationRegion at(const FragmentPlace& place, const EvaluationOffset& offset, RegionStorage& storage) const;
 
  private:
+  [[nodiscard]] Spot variedCentroid(const FragmentPlace& place) const;
   [[nodiscard]] uint32_t firstCovered(const FragmentPlace& place) const;
   [[nodiscard]] Spot meanOfCovered(const FragmentPlace& place) const;
   [[nodiscard]] Spot nominalCentroid(const FragmentPlace& place) const;
@@ -51,6 +54,7 @@ class AttributeLocation {
   const CentroidPosition centroid_;
   const bool areaIsFree_;
   const DeliberateError error_;
+  const std::optional<Variation> variation_;
 };
 
 }  // namespace rasterdiff::rasterizer

@@ -30,8 +30,8 @@ class FragmentInputs {
   [[nodiscard]] bool anyAt(Location location) const { return anyAt_[static_cast<size_t>(location)]; }
 
   /// planes.inputs[c] = make(values of component c at `vertices`, bound on their deviation), flat ones left out.
-  template <size_t kVertices, class Make>
-  void fill(const Primitive& primitive, const std::array<const RasterVertex*, kVertices>& vertices, ValuePlanes& planes,
+  template <size_t kVertices, class Planes, class Make>
+  void fill(const Primitive& primitive, const std::array<const RasterVertex*, kVertices>& vertices, Planes& planes,
             const Make& make) const {
     for (size_t c = 0; c < components_.size(); ++c) {
       const Component& component = components_[c];

@@ -8,12 +8,19 @@
 
 #include "rasterizer/fragment/linear_function.hpp"
 #include "rasterizer/fragment/place.hpp"
+#include "rasterizer/legal/float_function.hpp"
 
 namespace rasterdiff::rasterizer {
 
 struct ValuePlanes {
   LinearFunction depth, reciprocalW;
   std::vector<LinearFunction> inputs;  ///< of each component of the varyings; f / w for perspective ones
+};
+
+/// The same as a legal renderer evaluates them (Rules::variation).
+struct FloatPlanes {
+  FloatFunction depth, reciprocalW;
+  std::vector<FloatFunction> inputs;
 };
 
 /// `f` over `region`: its nominal value, and the interval of legal float32 results.

@@ -27,6 +27,7 @@ std::unique_ptr<LineCoverage> lineCoverage(const LineEnds& ends, const LineStyle
     case LineKind::Rectangle:
       return rectangleCoverage(ends, style, rules);
     case LineKind::Parallelogram:
+      if (rules.variation && rules.variation->bresenhamByDefault) return bresenhamCoverage(ends, style, rules);
       return parallelogramCoverage(ends, style, rules);
     case LineKind::Bresenham:
       return bresenhamCoverage(ends, style, rules);
