@@ -34,11 +34,40 @@ struct Contender {
   std::function<std::optional<uint64_t>(size_t triangles)> peak;
 };
 
+/// A method that can use threads and chooses an instruction set, and one way to run it.
+struct Run {
+  unsigned threads = 1;
+  int64_t target = 0;  ///< as Highway numbers them; 0: the best
+};
+
+/// The ways to run a method: one, unless it is `dispatched` and several threads or targets are asked for.
+[[nodiscard]] std::vector<Run> runsOf(const Settings& settings, bool dispatched);
+
+/// Name of the instruction set of a run of a dispatched method.
+[[nodiscard]] std::string targetName(const Run& run);
+
+/// While it lives, dispatched methods use the run's instruction set.
+class TargetScope {
+ public:
+  explicit TargetScope(const Run& run);
+  ~TargetScope();
+  TargetScope(const TargetScope&) = delete;
+  TargetScope& operator=(const TargetScope&) = delete;
+
+ private:
+  bool changed_;
+};
+
 /// The coverage kernels on a load, each verified; the wrong ones among the exact have `refused`.
 [[nodiscard]] Result<std::vector<Contender>> maskContenders(const Load& load, const Truth& truth, const Settings& settings);
 
-/// rasterizer::render, verified where coverage is all there is to a built-in load; `expected` becomes its frame of the
-/// first `verified` triangles.
+/// The kernels of index, count, depth and varyings, each with the planes that a task can want, verified against the
+/// correctly rounded one. `expected`, if wanted, becomes that one's frame of the verified triangles.
+[[nodiscard]] Result<std::vector<Contender>> valueContenders(const Load& load, Task task, const Truth& truth,
+                                                             const Settings& settings, Frame* expected);
+
+/// rasterizer::render, verified against `expected`; where that has no planes, render's own frame of the verified
+/// triangles takes its place.
 [[nodiscard]] Result<Contender> renderContender(const Load& load, Task task, const Truth& truth, const Settings& settings,
                                                 Frame& expected);
 

@@ -85,32 +85,41 @@ std::vector<Task> tasksOf(const Load& load) {
   return {needs.depth ? Task::Depth : Task::Coverage};
 }
 
+Attributes attributesOf(size_t triangles) {
+  Attributes all;
+  Prng prng(0x5EED);
+  for (size_t i = 0; i < 3 * triangles; ++i) {
+    all.depth.push_back(static_cast<float>(prng.bits() >> 40) * 0x1p-24F);
+    all.reciprocalW.push_back(1.F / static_cast<float>(1U << prng.below(3)));
+    for (uint32_t c = 0; c < kComponents; ++c) all.values.push_back(static_cast<float>(prng.unit()));
+  }
+  return all;
+}
+
 Scene sceneOf(const Load& load, Task task, size_t triangles) {
   if (load.scene) return *load.scene;
   Scene scene;
   scene.name = load.name;
   scene.target.width = load.width, scene.target.height = load.height, scene.target.samples = load.samples;
   scene.viewport.width = static_cast<float>(load.width), scene.viewport.height = static_cast<float>(load.height);
-  Draw draw;
   triangles = std::min(triangles, load.triangles.size());
-  draw.positions.reserve(3 * triangles);
-  Prng prng(0x5EED);
   const bool values = task != Task::Coverage;
+  Attributes attributes = attributesOf(values ? triangles : 0);
   if (values) {
     scene.target.depthFormat = DepthFormat::D32_SFLOAT;
     scene.state.depthTestEnable = scene.state.depthWriteEnable = true;
   }
-  Varying varying{"color"};
-  for (size_t i = 0; i < triangles; ++i) {
-    for (const SubpixelPosition v : load.triangles[i].v) {
-      PixelPosition p{static_cast<double>(v.x) / kSubpixelOne, static_cast<double>(v.y) / kSubpixelOne, 0.5, 1};
-      if (values) p.z = prng.unit(), p.w = prng.between(1.0, 4.0);
-      draw.positions.push_back(clipFromPixels(scene.viewport, p));
-      if (task != Task::Varyings) continue;
-      for (int c = 0; c < 4; ++c) varying.values.push_back(static_cast<float>(prng.unit()));
-    }
+  Draw draw;
+  draw.positions.reserve(3 * triangles);
+  for (size_t i = 0; i < 3 * triangles; ++i) {
+    const SubpixelPosition v = load.triangles[i / 3].v[i % 3];
+    PixelPosition p{static_cast<double>(v.x) / kSubpixelOne, static_cast<double>(v.y) / kSubpixelOne, 0.5, 1};
+    if (values) p.z = attributes.depth[i], p.w = 1.0 / attributes.reciprocalW[i];
+    draw.positions.push_back(clipFromPixels(scene.viewport, p));
   }
-  if (task == Task::Varyings) draw.varyings.push_back(std::move(varying));
+  if (task == Task::Varyings) {
+    draw.varyings.push_back({"color", Interpolation::smooth, kComponents, std::move(attributes.values)});
+  }
   scene.draws.push_back(std::move(draw));
   return scene;
 }

@@ -31,9 +31,17 @@ struct Load {
 /// The tasks that a load stands for: all of them, or the one of its own scene.
 [[nodiscard]] std::vector<Task> tasksOf(const Load& load);
 
+/// What the vertices of a built-in workload carry besides their place, three vertices a triangle: depths in [0, 1) of 24
+/// bits, w of 1, 2 or 4 (so that z · w and 1 / w are exact), four components in [0, 1). The same for every load.
+struct Attributes {
+  std::vector<float> depth, reciprocalW, values;
+};
+inline constexpr uint32_t kComponents = 4;
+[[nodiscard]] Attributes attributesOf(size_t triangles);
+
 /// The first `triangles` of a load as a scene (a load's own scene is always whole): vertices in pixels, brought to clip
-/// space; for Depth and Varyings with depths in [0, 1), LESS and written, and w in [1, 4]; for Varyings with one smooth
-/// input of four components. The same load gives the same scene.
+/// space; for Depth and Varyings with the depths and w of attributesOf, LESS and written; for Varyings with one smooth
+/// input of its components.
 [[nodiscard]] Scene sceneOf(const Load& load, Task task, size_t triangles);
 
 /// Samples of the target that the triangles cover, overdraw counted: their area where they lie inside the target, else

@@ -1,11 +1,7 @@
-// The coverage kernels as contenders: all by name, the SIMD one with threads and on each instruction set if that is asked.
+// The coverage kernels as contenders, by name.
 #include <fmt/format.h>
-#include <fnmatch.h>
-#include <hwy/targets.h>
 
-#include <chrono>
 #include <memory>
-#include <sstream>
 
 #include "harness/bench/contender.hpp"
 #include "harness/bench/machine.hpp"
@@ -24,17 +20,15 @@ constexpr const char* kDispatched = "spans";  ///< the method that chooses an in
 /// A method, and how it is to be run.
 struct Variant {
   const CoverageMethod* method;
-  unsigned threads = 1;
-  int64_t target = 0;  ///< 0: the best
+  Run run;
 
   void draw(Triangles triangles, CoverageMask& mask) const {
-    if (target != 0) hwy::SetSupportedTargetsForTest(target);
-    if (threads > 1) {
-      rasterizer::drawCoverage(triangles, mask, threads);
+    const TargetScope scope(run);
+    if (run.threads > 1) {
+      rasterizer::drawCoverage(triangles, mask, run.threads);
     } else {
       method->draw(triangles, mask);
     }
-    if (target != 0) hwy::SetSupportedTargetsForTest(0);
   }
 };
 
@@ -42,16 +36,7 @@ std::vector<Variant> variants(const Settings& settings) {
   std::vector<Variant> all;
   for (const CoverageMethod& method : rasterizer::coverageMethods()) {
     if (!chosen(settings, method.name)) continue;
-    if (method.name != kDispatched) {
-      all.push_back({&method});
-      continue;
-    }
-    if (settings.threads > 1) all.push_back({&method, settings.threads});
-    if (!settings.targets) {
-      all.push_back({&method});
-      continue;
-    }
-    for (const int64_t target : hwy::SupportedAndGeneratedTargets()) all.push_back({&method, 1, target});
+    for (const Run& run : runsOf(settings, method.name == kDispatched)) all.push_back({&method, run});
   }
   return all;
 }
@@ -61,12 +46,8 @@ Row rowOf(const Variant& variant) {
   row.method = variant.method->name;
   row.what = variant.method->what;
   row.exact = variant.method->exact;
-  row.threads = variant.threads;
-  if (variant.target != 0) {
-    row.target = hwy::TargetName(variant.target);
-  } else if (row.method == kDispatched) {
-    row.target = rasterizer::coverageTargets().front();
-  }
+  row.threads = variant.run.threads;
+  if (row.method == kDispatched) row.target = targetName(variant.run);
   return row;
 }
 
@@ -97,19 +78,6 @@ Contender contenderOf(const Variant& variant, const Load& load, const ErrorCount
 }
 
 }  // namespace
-
-bool chosen(const Settings& settings, const std::string& method) {
-  std::istringstream globs(settings.kernels);
-  for (std::string glob; std::getline(globs, glob, ',');)
-    if (fnmatch(glob.c_str(), method.c_str(), 0) == 0) return true;
-  return false;
-}
-
-double secondsOf(const std::function<void()>& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 Result<std::vector<Contender>> maskContenders(const Load& load, const Truth& truth, const Settings& settings) {
   const std::vector<Variant> all = variants(settings);

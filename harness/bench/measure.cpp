@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "harness/bench/driver_process.hpp"
@@ -118,7 +119,13 @@ Result<std::vector<Contender>> contenders(const Load& load, Task task, const Tru
     }
   }
   const bool driver = settings.driver && (chosen(settings, "driver") || chosen(settings, "driver-whole"));
-  if (!driver && !chosen(settings, "render")) return all;
+  const bool frames = driver || chosen(settings, "render");
+  if (task == Task::Coverage || !load.scene) {  // a scene's own depths and inputs are left to the reference and the driver
+    Result<std::vector<Contender>> values = valueContenders(load, task, truth, settings, frames && !load.scene ? &expected : nullptr);
+    if (!values) return values;
+    std::ranges::move(*values, std::back_inserter(all));
+  }
+  if (!frames) return all;
   Result<Contender> render = renderContender(load, task, truth, settings, expected);
   if (!render) return tl::unexpected(render.error());
   if (chosen(settings, "render")) all.push_back(std::move(*render));
@@ -135,7 +142,7 @@ Result<std::vector<Row>> measure(const Load& load, Task task, const Settings& se
                                  const Progress& progress) {
   const std::string place = fmt::format("{}, {}", load.name, toString(task));
   progress(place + ": verifying");
-  const Truth truth(load, task == Task::Coverage ? settings.boxSamples : settings.boxSamples / 10);  // values cost more
+  const Truth truth(load, task == Task::Coverage ? settings.boxSamples : settings.boxSamples / 20);  // values cost more
   Frame expected;
   Result<std::vector<Contender>> all = contenders(load, task, truth, settings, expected, driverLine);
   if (!all) return tl::unexpected(all.error());

@@ -30,7 +30,7 @@ const char* planesOf(Task task) {
 Result<Contender> renderContender(const Load& load, Task task, const Truth& truth, const Settings& settings, Frame& expected) {
   Result<Frame> frame = rendered(sceneOf(load, task, truth.triangles()));
   if (!frame) return tl::unexpected(frame.error());
-  expected = std::move(*frame);
+  const bool judged = !expected.primitive.data.empty();
   Contender contender;
   contender.mostSeconds = settings.frameSeconds;
   contender.whole = load.scene.has_value();
@@ -39,9 +39,13 @@ Result<Contender> renderContender(const Load& load, Task task, const Truth& trut
   row.method = "render";
   row.what = planesOf(task);
   row.exact = true;
-  if (task == Task::Coverage && !load.scene) {
-    row.error = truth.frame(expected);
-    if (row.error->wrong > 0) row.refused = fmt::format("{} wrong samples in an exact method", row.error->wrong);
+  if (judged) {
+    row.error = difference(expected, *frame);
+    row.error->triangles = truth.triangles();
+    if (task == Task::Coverage && row.error->wrong > 0)
+      row.refused = fmt::format("{} wrong samples in an exact method", row.error->wrong);
+  } else {
+    expected = std::move(*frame);
   }
   contender.rows.push_back(std::move(row));
   struct Kept {

@@ -49,16 +49,6 @@ class Occupancy {
   std::vector<bool> used_;
 };
 
-/// Sums ULPs of values.
-struct Ulps {
-  uint64_t count = 0;
-  double sum = 0, most = 0;
-  void add(float expected, float actual) {
-    const double ulp = std::bit_cast<uint32_t>(expected) == std::bit_cast<uint32_t>(actual) ? 0 : ulpDistance(expected, actual);
-    ++count, sum += ulp, most = std::max(most, ulp);
-  }
-};
-
 }  // namespace
 
 Truth::Truth(const Load& load, double boxSamples) : load_(load) {
@@ -105,35 +95,20 @@ Result<std::vector<ErrorCount>> Truth::masks(std::span<const DrawMask> methods) 
   return errors;
 }
 
-ErrorCount Truth::frame(const Frame& frame) const {
-  Plane<uint32_t> primitive(load_.width, load_.height, load_.samples), count = primitive;
-  const auto locations = standardSampleLocations(load_.samples);
-  ErrorCount error;
-  error.triangles = triangles_;
-  for (size_t i = 0; i < triangles_; ++i) {
-    const Box box = boxOf(load_.triangles[i], load_);
-    for (int32_t y = box.y0; y <= box.y1; ++y) {
-      for (int32_t x = box.x0; x <= box.x1; ++x) {
-        const size_t pixel = primitive.index(static_cast<uint32_t>(x), static_cast<uint32_t>(y), 0);
-        for (size_t s = 0; s < locations.size(); ++s) {
-          const SubpixelPosition at{x * kSubpixelOne + locations[s].x * rasterizer::kSampleUnit,
-                                    y * kSubpixelOne + locations[s].y * rasterizer::kSampleUnit};
-          if (!rasterizer::covers(load_.triangles[i], at)) continue;
-          primitive.data[pixel + s] = static_cast<uint32_t>(i + 1);
-          ++count.data[pixel + s];
-          ++error.covered;
-        }
-      }
-    }
-  }
-  for (size_t k = 0; k < primitive.data.size(); ++k)
-    if (primitive.data[k] != frame.primitive.data[k] || count.data[k] != frame.count.data[k]) ++error.wrong;
-  return error;
+void UlpSum::add(float expected, float actual) {
+  const double ulp = std::bit_cast<uint32_t>(expected) == std::bit_cast<uint32_t>(actual) ? 0 : ulpDistance(expected, actual);
+  ++count, sum += ulp, most = std::max(most, ulp);
+}
+
+void UlpSum::put(ErrorCount& error) const {
+  error.values = count;
+  error.maxUlp = most;
+  error.meanUlp = count == 0 ? 0 : sum / static_cast<double>(count);
 }
 
 ErrorCount difference(const Frame& expected, const Frame& actual) {
   ErrorCount error;
-  Ulps ulps;
+  UlpSum ulps;
   for (size_t k = 0; k < expected.primitive.data.size(); ++k) {
     error.covered += expected.count.data[k];
     const bool same = expected.primitive.data[k] == actual.primitive.data[k];
@@ -148,9 +123,7 @@ ErrorCount difference(const Frame& expected, const Frame& actual) {
       }
     }
   }
-  error.values = ulps.count;
-  error.maxUlp = ulps.most;
-  error.meanUlp = ulps.count == 0 ? 0 : ulps.sum / static_cast<double>(ulps.count);
+  ulps.put(error);
   return error;
 }
 

@@ -27,15 +27,19 @@ class Truth {
   /// the mistakes of earlier ones. Error: a mask of this size cannot be made.
   [[nodiscard]] Result<std::vector<ErrorCount>> masks(std::span<const DrawMask> methods) const;
 
-  /// Samples whose count or last primitive differs from the definition. `frame` is of sceneOf(load, Coverage,
-  /// triangles()).
-  [[nodiscard]] ErrorCount frame(const Frame& frame) const;
-
  private:
   [[nodiscard]] std::vector<std::vector<rasterizer::SnappedTriangle>> batches() const;
 
   const Load& load_;
   size_t triangles_ = 0;
+};
+
+/// Adds up how far values are off.
+struct UlpSum {
+  uint64_t count = 0;
+  double sum = 0, most = 0;
+  void add(float expected, float actual);
+  void put(ErrorCount& error) const;
 };
 
 /// Samples and values of `actual` that differ from `expected`, both of one scene: coverage, count and primitive, then
