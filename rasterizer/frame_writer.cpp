@@ -6,6 +6,7 @@
 
 #include "rasterizer/depth_test.hpp"
 #include "rasterizer/fragment/alpha_to_coverage.hpp"
+#include "rasterizer/depth/resolve_depth.hpp"
 #include "rasterizer/fragment/resolve.hpp"
 #include "scene/built_ins.hpp"
 
@@ -45,7 +46,8 @@ FrameWriter::FrameWriter(const Scene& scene, const SceneNeeds& needs, const Rule
                          std::vector<SubpixelPosition> pattern, RuleCounts& counts)
     : state_(withError(scene.state, rules.error)), rules_(rules), error_(rules.error), pattern_(std::move(pattern)), counts_(counts),
       sampleMask_(maskUnder(scene.state, scene.target.samples, rules.error)), open_(rules.open),
-      openValues_(rules.openValues()), resolve_(scene.target.resolve) {
+      openValues_(rules.openValues()), resolve_(scene.target.resolve),
+      depthResolveMode_(scene.target.depthResolveMode), depthFormat_(scene.target.depthFormat.value_or(DepthFormat::D32_SFLOAT)) {
   const auto [width, height, samples] = std::array{scene.target.width, scene.target.height, scene.target.samples};
   depthPattern_ = pattern_;
   if (error_ == DeliberateError::DepthAtCentre) depthPattern_.assign(samples, {kSubpixelOne / 2, kSubpixelOne / 2});
@@ -234,6 +236,9 @@ void FrameWriter::markCoverage(int32_t x, int32_t y, uint32_t sample, Coverage c
 Frame FrameWriter::take() {
   for (size_t v = 0; resolve_ && v < varyings_; ++v) {
     frame_.resolved.push_back(resolved(frame_.varyings[v], rules_, counts_));
+  }
+  if (depthResolveMode_) {
+    frame_.resolved.push_back(resolvedDepth(*frame_.depth, *frame_.depthBounds, *depthResolveMode_, depthFormat_, error_, counts_));
   }
   return std::move(frame_);
 }

@@ -50,6 +50,8 @@ class FrameWriter {
   uint32_t sampleMask_ = 0;    ///< bits of the samples there are
   bool masks_ = false;         ///< some sample is masked out
   bool alpha_ = false, open_ = false, openValues_ = false, resolve_ = false;
+  std::optional<ResolveMode> depthResolveMode_;
+  DepthFormat depthFormat_ = DepthFormat::D32_SFLOAT;
   size_t varyings_ = 0;        ///< planes that are varyings; built-ins follow
 };
 

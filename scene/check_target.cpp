@@ -113,6 +113,16 @@ Check checkTarget(const Target& target) {
   if (target.resolve && target.samples == 1) {
     return bad("target.resolve", "one sample a pixel needs no resolve", "set target.samples to 4");
   }
+  if (target.depthResolveMode) {
+    if (enumName(*target.depthResolveMode).empty()) {
+      return bad("target.depthResolveMode", fmt::format("unknown mode {}", static_cast<uint32_t>(*target.depthResolveMode)),
+                 "SAMPLE_ZERO");
+    }
+    if (target.samples == 1) return bad("target.depthResolveMode", "one sample a pixel needs no resolve", "set target.samples to 4");
+    if (!target.depthFormat) {
+      return bad("target.depthResolveMode", "no depth attachment to resolve", "set target.depthFormat to D32_SFLOAT");
+    }
+  }
   return {};
 }
 

@@ -47,7 +47,7 @@ struct Frame {
   Plane<uint32_t> count;      ///< how many primitives wrote the sample (passed its tests)
   std::optional<Plane<float>> depth;  ///< as stored; the clear value where nothing was drawn
   std::vector<VaryingPlane> varyings;  ///< the scene's varyings, then its built-ins
-  std::vector<VaryingPlane> resolved;  ///< one sample a pixel: the varyings, resolved (scenes that ask for it)
+  std::vector<VaryingPlane> resolved;  ///< one sample a pixel: the varyings, then "depth", resolved (scenes that ask for it)
 
   std::optional<Plane<Coverage>> coverage;   ///< reference only: Either where a freedom decides the sample
   std::optional<Plane<Bounds>> depthBounds;  ///< reference only

@@ -20,7 +20,7 @@ uint64_t frameBytes(const Scene& scene) {
   if (scene.target.depthFormat) perSample += kValue;
   perSample += varyings;
   const Target& t = scene.target;
-  const uint64_t perPixel = t.samples * perSample + (t.resolve ? varyings : 0);
+  const uint64_t perPixel = t.samples * perSample + (t.resolve ? varyings : 0) + (t.depthResolveMode ? kValue : 0);
   return uint64_t{t.width} * t.height * t.supersample * t.supersample * perPixel;
 }
 

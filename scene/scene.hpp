@@ -19,6 +19,7 @@ struct Target {
   uint32_t supersample = 1;        ///< n: drawn n times as large in both directions (supersampled())
   bool resolve = false;            ///< the varyings are also resolved to one value a pixel (AVERAGE)
   std::optional<DepthFormat> depthFormat{};
+  std::optional<ResolveMode> depthResolveMode{};  ///< the depth is also resolved to one value a pixel
   float depthClearValue = 1;       ///< what the depth attachment holds before the first draw
   friend bool operator==(const Target&, const Target&) = default;
 };

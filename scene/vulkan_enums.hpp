@@ -19,7 +19,7 @@ enum class CompareOp : uint32_t {
 enum class DepthFormat : uint32_t {
   D16_UNORM = 124, X8_D24_UNORM_PACK32 = 125, D32_SFLOAT = 126, D24_UNORM_S8_UINT = 129, D32_SFLOAT_S8_UINT = 130
 };
-
+enum class ResolveMode : uint32_t { SAMPLE_ZERO = 1, AVERAGE = 2, MIN = 4, MAX = 8 };
 
 /// VkPointClippingBehavior, as the device advertises it.
 enum class PointClippingBehavior : uint32_t { ALL_CLIP_PLANES = 0, USER_CLIP_PLANES_ONLY = 1 };

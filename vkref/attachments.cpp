@@ -28,6 +28,12 @@ Result<Attachments> acquireAttachments(const RenderPlan& plan, Pool<Image>& imag
     attachments.depth = std::move(*image);
     ++cost.depthAttachments;
   }
+  if (plan.depthResolve != VK_RESOLVE_MODE_NONE) {
+    Result<Pool<Image>::Lease> image = lease(plan.depth, 1);
+    if (!image) return tl::unexpected(image.error());
+    attachments.resolvedDepth = std::move(*image);
+    ++cost.depthAttachments;
+  }
   return attachments;
 }
 

@@ -109,8 +109,11 @@ Result<Capabilities> inspect(VkPhysicalDevice physicalDevice) {
   auto driver = vkStruct<VkPhysicalDeviceDriverProperties>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES);
   auto clipping = vkStruct<VkPhysicalDevicePointClippingProperties>(
       VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_POINT_CLIPPING_PROPERTIES, &driver);
-  auto properties = vkStruct<VkPhysicalDeviceProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &clipping);
+  auto resolve = vkStruct<VkPhysicalDeviceDepthStencilResolveProperties>(
+      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DEPTH_STENCIL_RESOLVE_PROPERTIES, &clipping);
+  auto properties = vkStruct<VkPhysicalDeviceProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &resolve);
   vkGetPhysicalDeviceProperties2(physicalDevice, &properties);
+  caps.depthResolveModes = resolve.supportedDepthResolveModes;
   caps.driver = {driver.driverName, driver.driverInfo, base.deviceName, versionText(base.apiVersion), {}, {}};
   if (caps.driver.info.empty()) caps.driver.info = "driver version " + versionText(base.driverVersion);
 

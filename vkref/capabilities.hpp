@@ -23,6 +23,7 @@ struct Capabilities {
   uint32_t queueFamily = 0;
   Features features;            ///< offered and enabled
   std::array<VkSampleCountFlags, kDepthFormats.size()> depthSampleCounts{};  ///< as kDepthFormats; 0: not offered
+  VkResolveModeFlags depthResolveModes = 0;
   VkDeviceSize largestHeap = 0;  ///< bytes
 
   [[nodiscard]] const VkPhysicalDeviceFeatures& core() const { return features.core.features; }

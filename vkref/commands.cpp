@@ -44,6 +44,11 @@ void recordFirstUse(const Context& context, VkCommandBuffer commands, const Rend
   if (attachments.depth) {
     add(*attachments.depth, kDepthStages, VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, kDepthAccess);
   }
+  // [vk:renderpass-resolve-operations] resolving depth is a colour attachment's write too.
+  if (attachments.resolvedDepth && pass.primitives) {
+    add(*attachments.resolvedDepth, kDepthStages | VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+        VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT, kDepthAccess | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT);
+  }
   recordBarriers(context, commands, barriers);
 }
 
@@ -68,6 +73,11 @@ void beginRendering(const Context& context, VkCommandBuffer commands, const Scen
   if (attachments.depth) {
     depth = attachmentInfo(*attachments.depth);
     depth.clearValue.depthStencil.depth = scene.target.depthClearValue;
+    if (attachments.resolvedDepth && pass.primitives) {
+      depth.resolveMode = plan.depthResolve;
+      depth.resolveImageView = attachments.resolvedDepth->view.get();
+      depth.resolveImageLayout = attachmentLayout(plan.depth);
+    }
     info.pDepthAttachment = &depth;
   }
   context.vk.vkCmdBeginRendering(commands, &info);

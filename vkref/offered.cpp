@@ -29,6 +29,7 @@ Result<void> checkTarget(const RenderPlan& plan, const Capabilities& caps) {
   for (const AttachmentPlan& color : plan.color) add(color.format, plan.samples);
   for (uint32_t v = 0; v < plan.varyings && plan.resolve; ++v) add(plan.color[kFirstVarying + v].format, 1);
   if (plan.depth != VK_FORMAT_UNDEFINED) add(plan.depth, plan.samples);
+  if (plan.depthResolve != VK_RESOLVE_MODE_NONE) add(plan.depth, 1);
   // Attachments and the buffer that they are read back into exist at the same time.
   if (bytes > caps.largestHeap / 2) {
     return notOffered("target", fmt::format("attachments of {} MiB and as much for reading back, the device has {} MiB",
@@ -67,6 +68,9 @@ Result<void> checkOffered(const Scene& scene, const RenderPlan& plan, const Capa
   if (scene.target.depthFormat) {
     const Result<void> depth = checkDepthFormat(*scene.target.depthFormat, plan.samples, caps);
     if (!depth) return depth;
+  }
+  if (scene.target.depthResolveMode && !(caps.depthResolveModes & plan.depthResolve)) {
+    return notOffered("target.depthResolveMode", fmt::format("{} is not offered", enumName(*scene.target.depthResolveMode)));
   }
   if (const Result<void> viewport = checkViewport("viewport", scene.viewport, caps); !viewport) return viewport;
   for (size_t i = 0; i < scene.furtherViewports.size(); ++i) {

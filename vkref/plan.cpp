@@ -34,6 +34,7 @@ RenderPlan planOf(const Scene& scene, const Capabilities& caps) {
   plan.varyings = needs.varyings;
   if (needs.depth) plan.depth = static_cast<VkFormat>(*scene.target.depthFormat);
   plan.resolve = needs.resolve;
+  if (scene.target.depthResolveMode) plan.depthResolve = static_cast<VkResolveModeFlagBits>(*scene.target.depthResolveMode);
   plan.alphaToCoverage = scene.state.alphaToCoverageEnable;
   // [vk:primsrast-sampleshading] one shader that reads either built-in runs for every sample; so do all our passes.
   plan.sampleShading = observes(scene, BuiltIn::SampleId) || observes(scene, BuiltIn::SamplePosition);

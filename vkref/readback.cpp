@@ -57,8 +57,8 @@ Plane<T> copyPlane(const RenderPlan& plan, uint32_t samples, const std::byte* fr
   return plane;
 }
 
-Plane<float> depthPlane(const RenderPlan& plan, const std::byte* from, uint32_t stride, DepthFetch fetch) {
-  if (plan.samples > 1) {
+Plane<float> depthPlane(const RenderPlan& plan, uint32_t samples, const std::byte* from, uint32_t stride, DepthFetch fetch) {
+  if (samples > 1) {
     Plane<float> plane = copyPlane<float>(plan, plan.samples, from, 1, stride);
     restoreFetchedDepths(plan.depth, fetch, plane.data);
     return plane;
@@ -107,6 +107,7 @@ VkDeviceSize placePlanes(const RenderPlan& plan, const Attachments& attachments,
     readback.resolved.push_back(place(*attachments.resolved[v], plan.color[kFirstVarying + v].components));
   }
   if (attachments.depth) readback.depth = place(*attachments.depth, 1);
+  if (attachments.resolvedDepth) readback.resolvedDepth = place(*attachments.resolvedDepth, 1);
   return bytes;
 }
 
@@ -114,8 +115,11 @@ VkDeviceSize placePlanes(const RenderPlan& plan, const Attachments& attachments,
 
 VkImageMemoryBarrier2 transferBarrier(const Image& image) {
   const bool depth = isDepthFormat(image.key.format), copied = image.key.samples == 1;
-  return imageBarrier(image, depth ? kDepthStages : VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
-                      depth ? VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT : VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
+  // [vk:renderpass-resolve-operations] what depth is resolved to is written as a colour attachment is.
+  const VkPipelineStageFlags2 color = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
+  const VkAccessFlags2 colorWrite = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
+  return imageBarrier(image, depth ? kDepthStages | color : color,
+                      depth ? VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT | colorWrite : colorWrite,
                       attachmentLayout(image.key.format),
                       copied ? VK_PIPELINE_STAGE_2_COPY_BIT : VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
                       copied ? VK_ACCESS_2_TRANSFER_READ_BIT : VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
@@ -150,6 +154,7 @@ Result<Readback> recordReadback(const Context& context, VkCommandBuffer commands
     planes.emplace_back(attachments.resolved[v].get(), &readback.resolved[v]);
   }
   if (attachments.depth) planes.emplace_back(attachments.depth.get(), &readback.depth);
+  if (attachments.resolvedDepth) planes.emplace_back(attachments.resolvedDepth.get(), &readback.resolvedDepth);
   std::vector<VkImageMemoryBarrier2> barriers;
   for (const auto& [image, location] : planes) barriers.push_back(transferBarrier(*image));
   recordBarriers(context, commands, barriers);
@@ -182,7 +187,7 @@ Result<Frame> frameOf(const Scene& scene, const RenderPlan& plan, const Readback
   if (!counts) return tl::unexpected(counts.error());
   frame.count = std::move(*counts);
   if (plan.depth != VK_FORMAT_UNDEFINED) {
-    frame.depth = depthPlane(plan, mapped + readback.depth.offset, readback.depth.stride, fetch);
+    frame.depth = depthPlane(plan, plan.samples, mapped + readback.depth.offset, readback.depth.stride, fetch);
   }
   for (size_t i = kFirstVarying; i < plan.color.size(); ++i) {
     const size_t v = i - kFirstVarying;
@@ -194,6 +199,10 @@ Result<Frame> frameOf(const Scene& scene, const RenderPlan& plan, const Readback
     if (v >= readback.resolved.size()) continue;
     frame.resolved.push_back(
         {frame.varyings.back().name, plane(float{}, 1, components, readback.resolved[v]), std::nullopt});
+  }
+  if (plan.depthResolve != VK_RESOLVE_MODE_NONE) {
+    frame.resolved.push_back(
+        {"depth", depthPlane(plan, 1, mapped + readback.resolvedDepth.offset, readback.resolvedDepth.stride, fetch), std::nullopt});
   }
   return frame;
 }

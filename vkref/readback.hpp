@@ -19,7 +19,7 @@ struct Readback {
   Pool<Buffer>::Lease buffer;
   std::vector<PlaneLocation> color;     ///< as RenderPlan::color
   std::vector<PlaneLocation> resolved;  ///< as Attachments::resolved
-  PlaneLocation depth;
+  PlaneLocation depth, resolvedDepth;
 };
 
 /// Records the transfer of all attachments into one host-visible buffer, from the layouts that recordDraws leaves:

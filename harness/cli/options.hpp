@@ -75,6 +75,12 @@ struct HuntOptions {
   DriverChoice choice;
 };
 
-using Verb = std::variant<CheckOptions, RenderOptions, ExplainOptions, BenchOptions, DevicesOptions, ListOptions, HuntOptions>;
+struct BlessOptions {
+  std::string results, baseline;  ///< files
+  std::vector<std::string> scenes;
+  std::string reason, rule, anchor;
+};
+
+using Verb = std::variant<CheckOptions, RenderOptions, ExplainOptions, BenchOptions, DevicesOptions, ListOptions, HuntOptions, BlessOptions>;
 
 }  // namespace rasterdiff::harness::cli

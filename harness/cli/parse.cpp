@@ -40,6 +40,13 @@ constexpr const char* kExplainExamples = R"(Examples:
   rasterdiff explain my.scene.json 3 4 --sample 2 --driver swiftshader
   rasterdiff explain fill/shared-diagonal 12 12 --driver none     the reference alone)";
 
+constexpr const char* kBlessExamples = R"(A scene that differs gets an entry for the driver's version and the rules of that run. Entries whose scene no longer differs go.
+
+Examples:
+  rasterdiff check --driver swiftshader --json results.json
+  rasterdiff bless results.json 'depth/*' -o baseline.json --reason "x mirrored in the pixel at 4 samples" --rule R22
+  rasterdiff check --driver swiftshader --baseline baseline.json)";
+
 constexpr const char* kHuntExamples = R"(Looks for scenes that differ, shrinks each to the smallest that still does, and writes it as a scene file and a picture.
 
 Examples:
@@ -208,6 +215,19 @@ void addList(CLI::App& app, ListOptions& options) {
   verb->add_flag("--json", options.json, "As JSON");
 }
 
+void addBless(CLI::App& app, BlessOptions& options) {
+  CLI::App* verb = app.add_subcommand("bless", "Turn what differs in a check's results into a baseline");
+  verb->footer(kBlessExamples);
+  verb->add_option("RESULTS", options.results, "File that check --json wrote")->required();
+  verb->add_option("SCENE", options.scenes, "Only scenes with this name or glob");
+  verb->add_option("-o,--output", options.baseline, "Baseline file; what it holds already is kept or renewed")->required();
+  verb->add_option("--reason", options.reason, "Why they differ, in a sentence")->required()->check([](const std::string& text) {
+    return text.empty() ? std::string("a difference without a reason is not known, only old") : std::string();
+  });
+  verb->add_option("--rule", options.rule, "Id of the broken rule, as R39");
+  verb->add_option("--anchor", options.anchor, "Its place in the specification, as vk:fragops-scissor");
+}
+
 void addHunt(CLI::App& app, HuntOptions& options) {
   CLI::App* verb = app.add_subcommand("hunt", "Search for scenes that differ, and shrink them");
   verb->footer(kHuntExamples);
@@ -242,6 +262,7 @@ tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
   DevicesOptions devices;
   ListOptions list;
   HuntOptions hunt;
+  BlessOptions bless;
   addCheck(app, check);
   addRender(app, render);
   addExplain(app, explain);
@@ -251,6 +272,7 @@ tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
   devicesVerb->add_flag("--json", devices.json, "As JSON");
   addList(app, list);
   addHunt(app, hunt);
+  addBless(app, bless);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -272,6 +294,7 @@ tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
   if (verb == "bench") return bench;
   if (verb == "devices") return devices;
   if (verb == "hunt") return hunt;
+  if (verb == "bless") return bless;
   return list;
 }
 

@@ -15,5 +15,6 @@ namespace rasterdiff::harness::cli {
 [[nodiscard]] int runVerb(const DevicesOptions& options);
 [[nodiscard]] int runVerb(const ListOptions& options);
 [[nodiscard]] int runVerb(const HuntOptions& options);
+[[nodiscard]] int runVerb(const BlessOptions& options);
 
 }  // namespace rasterdiff::harness::cli

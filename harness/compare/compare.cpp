@@ -10,6 +10,7 @@
 #include "harness/compare/whole_pixels.hpp"
 #include "rasterizer/choice_table.hpp"
 #include "rasterizer/depth/format.hpp"
+#include "rasterizer/depth/resolve_depth.hpp"
 #include "rasterizer/fragment/resolve.hpp"
 #include "rasterizer/fragment/value_freedoms.hpp"
 
@@ -145,7 +146,10 @@ class Comparison {
   void compareResolved() {
     const size_t first = values_.size() - actual_.resolved.size();
     std::vector<Bounds> exact;
-    for (size_t v = 0; v < actual_.resolved.size(); ++v) {
+    const std::optional<ResolveMode> depthMode = scene_.target.depthResolveMode;
+    const size_t colours = actual_.resolved.size() - (depthMode ? 1 : 0);
+    if (depthMode) compareResolvedDepth(values_.back(), *depthMode);
+    for (size_t v = 0; v < colours; ++v) {
       const Plane<float>& samples = actual_.varyings[v].values;
       const Plane<float>& means = actual_.resolved[v].values;
       const size_t components = samples.components, perPixel = samples.samples * components;
@@ -159,6 +163,20 @@ class Comparison {
                                 static_cast<uint32_t>(component)},
                                mean.value, means.data[i], mean.bounds);
       }
+    }
+  }
+
+  void compareResolvedDepth(ValueAccumulator& values, ResolveMode mode) const {
+    const Plane<float>& samples = *actual_.depth;
+    const Plane<float>& depths = actual_.resolved.back().values;
+    std::vector<Bounds> exact;
+    for (size_t pixel = 0; pixel < depths.data.size(); ++pixel) {
+      const std::span<const float> own = std::span(samples.data).subspan(pixel * samples.samples, samples.samples);
+      exact.clear();
+      for (const float depth : own) exact.push_back({depth, depth});
+      const rasterizer::Interpolated one = rasterizer::resolvedDepth(own, exact, mode, *scene_.target.depthFormat);
+      values.add({static_cast<uint32_t>(pixel % depths.width), static_cast<uint32_t>(pixel / depths.width), 0, 0}, one.value,
+                 depths.data[pixel], one.bounds);
     }
   }
 

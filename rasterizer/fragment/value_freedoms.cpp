@@ -63,6 +63,9 @@ std::vector<Freedom> valueFreedoms(const Scene& scene, const Rules& rules) {
   const SampleShading shading = sampleShading(scene);
   for (const BuiltIn builtIn : scene.builtIns) freedoms.push_back(ifOpen(ofBuiltIn(builtIn, shading, multisampled)));
   for (size_t v = 0; scene.target.resolve && v < varyings; ++v) freedoms.push_back(Freedom::ResolveRounding);
+  if (scene.target.depthResolveMode) {
+    freedoms.push_back(scene.target.depthResolveMode == ResolveMode::AVERAGE ? Freedom::ResolveRounding : Freedom::None);
+  }
   return freedoms;
 }
 

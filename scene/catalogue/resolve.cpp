@@ -23,6 +23,17 @@ Scene mixed(uint32_t samples, float back, float front) {
   return scene;
 }
 
+/// Two crossing triangles: depths that differ within a pixel along every edge and along the crossing.
+Scene depths(DepthFormat format, ResolveMode mode) {
+  Scene scene = square(32, 4);
+  scene.target.depthFormat = format;
+  scene.target.depthResolveMode = mode;
+  scene.state.depthTestEnable = scene.state.depthWriteEnable = true;
+  draw(scene, {{3.25, 2.5, 0.1}, {28.75, 9, 0.9}, {11, 29.125, 0.4}});
+  draw(scene, {{29.5, 28.25, 0.2}, {2.75, 22, 0.8}, {17, 1.125, 0.3}});
+  return scene;
+}
+
 }  // namespace
 
 void addResolve(Entries& entries) {
@@ -45,6 +56,14 @@ void addResolve(Entries& entries) {
     addVarying(scene, "b", Interpolation::sample, 2);
     return scene;
   });
+  using enum DepthFormat;
+  for (const auto& [format, formatName] : {std::pair{D32_SFLOAT, "d32f"}, {D16_UNORM, "d16"}, {X8_D24_UNORM_PACK32, "x8d24"}}) {
+    for (const auto& [mode, modeName] : {std::pair{ResolveMode::SAMPLE_ZERO, "sample-zero"}, {ResolveMode::AVERAGE, "average"},
+                                         {ResolveMode::MIN, "min"}, {ResolveMode::MAX, "max"}}) {
+      family.add(fmt::format("depth-{}-{}", formatName, modeName), "depths of a pixel that differ become one", {"R38", "R42"},
+                 [format, mode] { return depths(format, mode); });
+    }
+  }
 }
 
 }  // namespace rasterdiff::families

@@ -79,6 +79,13 @@ std::span<const EnumName<DepthFormat>> enumNames() {
 }
 
 template <>
+std::span<const EnumName<ResolveMode>> enumNames() {
+  using enum ResolveMode;
+  static constexpr EnumName<ResolveMode> kNames[] = {{"SAMPLE_ZERO", SAMPLE_ZERO}, {"AVERAGE", AVERAGE}, {"MIN", MIN}, {"MAX", MAX}};
+  return kNames;
+}
+
+template <>
 std::span<const EnumName<Interpolation>> enumNames() {
   using enum Interpolation;
   static constexpr EnumName<Interpolation> kNames[] = {

@@ -6,8 +6,8 @@
 namespace rasterdiff {
 
 bool readTarget(Reader& reader, const JsonValue& value, Target& target) {
-  static constexpr std::array<std::string_view, 7> kFields{"width",   "height",      "samples",        "supersample",
-                                                           "resolve", "depthFormat", "depthClearValue"};
+  static constexpr std::array<std::string_view, 8> kFields{"width",   "height",      "samples",         "supersample",
+                                                           "resolve", "depthFormat", "depthClearValue", "depthResolveMode"};
   if (!reader.object(value, "target", kFields, {"width", "height"})) return false;
   if (!reader.unsigned32(*value.member("width"), target.width)) return false;
   if (!reader.unsigned32(*value.member("height"), target.height)) return false;
@@ -16,6 +16,9 @@ bool readTarget(Reader& reader, const JsonValue& value, Target& target) {
   if (const auto v = value.member("resolve"); v && !reader.boolean(*v, target.resolve)) return false;
   if (const auto v = value.member("depthFormat")) {
     if (!reader.enumerant(*v, "depthFormat", target.depthFormat.emplace())) return false;
+  }
+  if (const auto v = value.member("depthResolveMode")) {
+    if (!reader.enumerant(*v, "depthResolveMode", target.depthResolveMode.emplace())) return false;
   }
   if (const auto v = value.member("depthClearValue"); v && !reader.float32(*v, target.depthClearValue)) return false;
   return true;

@@ -48,6 +48,7 @@ void writeTarget(std::string& out, const Target& target) {
     out += fmt::format(", \"depthFormat\": \"{}\", \"depthClearValue\": {}", enumName(*target.depthFormat),
                        jsonNumber(target.depthClearValue));
   }
+  if (target.depthResolveMode) out += fmt::format(", \"depthResolveMode\": \"{}\"", enumName(*target.depthResolveMode));
   out += "}";
 }
 

@@ -3,6 +3,8 @@
 #include <random>
 
 #include "fragment_support.hpp"
+#include "rasterizer/depth/format.hpp"
+#include "rasterizer/depth/resolve_depth.hpp"
 #include "rasterizer/fragment/resolve.hpp"
 
 namespace rasterdiff::rasterizer {
@@ -63,6 +65,38 @@ TEST(Resolve, AddsAPlaneOfOneSampleForEveryVaryingAndNoBuiltIn) {
   EXPECT_EQ(values.at(4, 1, 0, 1), -1.0F);
   EXPECT_EQ(values.at(6, 1, 0, 0), 0.0F);
   EXPECT_EQ(counts[Rule::Resolve], 8U);  // the pixels of one column
+}
+
+TEST(ResolveDepth, FollowsItsMode) {
+  const std::vector<float> depths{0.5F, 0.25F, 0.75F, 0.25F};
+  const std::vector<Bounds> bounds = exactBounds(depths);
+  const auto value = [&](ResolveMode mode) { return resolvedDepth(depths, bounds, mode, DepthFormat::D32_SFLOAT).value; };
+  EXPECT_EQ(value(ResolveMode::SAMPLE_ZERO), 0.5F);
+  EXPECT_EQ(value(ResolveMode::MIN), 0.25F);
+  EXPECT_EQ(value(ResolveMode::MAX), 0.75F);
+  EXPECT_EQ(value(ResolveMode::AVERAGE), 0.4375F);
+}
+
+TEST(ResolveDepth, AnAverageInFixedPointMayEndOnEitherNeighbour) {
+  const std::vector<float> depths{fromUnorm(1, 16), fromUnorm(2, 16)};
+  const Interpolated mean = resolvedDepth(depths, exactBounds(depths), ResolveMode::AVERAGE, DepthFormat::D16_UNORM);
+  EXPECT_EQ(mean.bounds.lo, fromUnorm(1, 16));
+  EXPECT_EQ(mean.bounds.hi, fromUnorm(2, 16));
+}
+
+TEST(ResolveDepth, AddsOnePlaneOfOneSample) {
+  Scene scene = testing::sceneOf({{0, 0, 0.25}, {4.5, 0, 0.25}, {4.5, 8, 0.25}, {0, 8, 0.25}}, 8, 4);
+  scene.state.topology = PrimitiveTopology::TRIANGLE_FAN;
+  scene.target.depthFormat = DepthFormat::D32_SFLOAT;
+  scene.state.depthTestEnable = scene.state.depthWriteEnable = true;
+  scene.target.depthResolveMode = ResolveMode::MIN;
+  const Frame frame = drawn(scene);
+  ASSERT_EQ(frame.resolved.size(), 1U);
+  EXPECT_EQ(frame.resolved[0].name, "depth");
+  EXPECT_EQ(frame.resolved[0].values.at(4, 1, 0), 0.25F);  // two of four samples
+  EXPECT_EQ(frame.resolved[0].values.at(6, 1, 0), 1.0F);   // cleared
+  scene.target.depthResolveMode = ResolveMode::MAX;
+  EXPECT_EQ(drawn(scene).resolved[0].values.at(4, 1, 0), 1.0F);
 }
 
 }  // namespace

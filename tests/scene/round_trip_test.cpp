@@ -101,6 +101,9 @@ Scene anyScene() {
     scene.target.depthFormat = pick({DepthFormat::D16_UNORM, DepthFormat::X8_D24_UNORM_PACK32, DepthFormat::D32_SFLOAT,
                                      DepthFormat::D24_UNORM_S8_UINT, DepthFormat::D32_SFLOAT_S8_UINT});
     scene.target.depthClearValue = pick({0.0f, -0.0f, 0.1f, 1.0f, 1e-45f});
+    if (scene.target.samples > 1 && *rc::gen::arbitrary<bool>()) {
+      scene.target.depthResolveMode = pick({ResolveMode::SAMPLE_ZERO, ResolveMode::AVERAGE, ResolveMode::MIN, ResolveMode::MAX});
+    }
     scene.state.depthTestEnable = *rc::gen::arbitrary<bool>();
     scene.state.depthWriteEnable = *rc::gen::arbitrary<bool>();
   }
