@@ -12,6 +12,7 @@
 
 #include "rasterizer/legal/legal_rules.hpp"
 #include "rasterizer/mistakes/played_device.hpp"
+#include "harness/method_subject.hpp"
 #include "rasterizer/render.hpp"
 #include "vkref/device.hpp"
 
@@ -146,9 +147,12 @@ std::string subjectLine(const Subject& subject) {
 }
 
 Result<std::unique_ptr<Subject>> openSubject(const SubjectOptions& options) {
-  constexpr std::string_view kMutant = "mutant:", kLegal = "legal:", kFault = "fault:";
+  constexpr std::string_view kMutant = "mutant:", kLegal = "legal:", kFault = "fault:", kMethod = "method:";
   if (options.driver.starts_with(kLegal)) {
     return openLegal(options, std::string_view(options.driver).substr(kLegal.size()));
+  }
+  if (options.driver.starts_with(kMethod)) {
+    return openMethod(options, std::string_view(options.driver).substr(kMethod.size()));
   }
   if (options.driver.starts_with(kMutant)) {
     return openMutant(options, std::string_view(options.driver).substr(kMutant.size()));

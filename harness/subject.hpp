@@ -1,4 +1,4 @@
-// The driver under test, whatever it is: a Vulkan device, a mutant of the reference, a planted fault, a recorded frame.
+// The driver under test, whatever it is: a Vulkan device, a mutant of the reference, a textbook method, a planted fault, a recorded frame.
 #pragma once
 
 #include <memory>
@@ -15,10 +15,11 @@
 namespace rasterdiff::harness {
 
 struct SubjectOptions {
-  std::string driver = "lavapipe";  ///< "lavapipe", "swiftshader", "PATH.json", "mutant:NAME", "legal:SEED", "fault:KIND[=GLOB]"
+  std::string driver = "lavapipe";  ///< "lavapipe", "swiftshader", "PATH.json", "mutant:NAME", "legal:SEED",
+                                    ///< "method:NAME", "fault:KIND[=GLOB]"
   bool validate = false;
   double timeoutSeconds = 20;
-  std::string profile = "reference";  ///< the profile that mutants and faults are made of; a device ignores it
+  std::string profile = "reference";  ///< the profile that mutants, methods and faults are made of; a device ignores it
 };
 
 class Subject {
@@ -43,7 +44,7 @@ class Subject {
 /// `fault:crash`, `fault:hang`, `fault:lost`, `fault:timeout`, `fault:refuse` are subjects for testing the harness
 /// itself: the reference, except that on scenes whose name matches GLOB (default: all) they die by a signal, sleep for
 /// ever, or return DeviceLost, TimedOut, NotOffered.
-/// Error: NoDevice (no such driver, every candidate refused), BadInput (no such mutant, fault or profile).
+/// Error: NoDevice (no such driver, every candidate refused), BadInput (no such mutant, method, fault or profile).
 [[nodiscard]] Result<std::unique_ptr<Subject>> openSubject(const SubjectOptions& options);
 
 }  // namespace rasterdiff::harness

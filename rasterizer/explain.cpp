@@ -1,11 +1,15 @@
 #include "rasterizer/explain.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 #include "rasterizer/choice_table.hpp"
+#include "rasterizer/figure_rules.hpp"
+#include "rasterizer/fragment_replay.hpp"
 #include "rasterizer/freedom_band.hpp"
-#include "rasterizer/interpolation.hpp"
+#include "rasterizer/lines/line_coverage.hpp"
 #include "rasterizer/sample_pattern.hpp"
+#include "rasterizer/shape.hpp"
 #include "rasterizer/target_area.hpp"
 
 namespace rasterdiff::rasterizer {
@@ -21,6 +25,16 @@ bool reaches(const Primitive& primitive, const SetupTriangle& piece, SubpixelPos
   }
   return p.x >= low.x - kSubpixelOne && p.x <= high.x + kSubpixelOne && p.y >= low.y - kSubpixelOne &&
          p.y <= high.y + kSubpixelOne;
+}
+
+bool reaches(const Figure& figure, SampleQuery query) {
+  const auto x = static_cast<int32_t>(query.x), y = static_cast<int32_t>(query.y);
+  for (int32_t row = y - 1; row <= y + 1; ++row) {
+    const RowSpan columns = figure.shape->columns(row);
+    const Shape::Rows rows = figure.shape->rows();
+    if (row >= rows.first && row <= rows.last && x >= columns.begin - 1 && x <= columns.end) return true;
+  }
+  return false;
 }
 
 EdgeExplanation explainEdge(const RasterVertex& a, const RasterVertex& b, const EdgeFunction& edge, SubpixelPosition p) {
@@ -39,50 +53,128 @@ EdgeExplanation explainEdge(const RasterVertex& a, const RasterVertex& b, const 
   return result;
 }
 
-Rule decidingRule(const PrimitiveExplanation& e, bool insideScissor) {
+// The fragment operation that took the sample away, else the geometry's own rule.
+Rule decidingRule(const PrimitiveExplanation& e, Rule shape, bool tie, bool inside) {
   if (e.culled) return Rule::Culling;
-  const bool tie = std::any_of(e.edges.begin(), e.edges.end(), [](const EdgeExplanation& x) { return x.value == 0; });
-  const bool outside = std::any_of(e.edges.begin(), e.edges.end(), [](const EdgeExplanation& x) { return x.value < 0; });
-  if (!insideScissor && !outside) return Rule::Scissor;
-  if (tie && !outside) return Rule::TieBreak;
-  if (e.clipped && outside) return Rule::ViewVolume;
-  return Rule::SampleCoverage;
+  if (e.dropped) return Rule::LineStipple;
+  switch (e.fate.end) {
+    case FragmentFate::End::OutsideScissor: return Rule::Scissor;
+    case FragmentFate::End::Masked: return Rule::SampleMask;
+    case FragmentFate::End::AlphaDropped: return Rule::AlphaToCoverage;
+    case FragmentFate::End::DepthFailed: return Rule::DepthTest;
+    case FragmentFate::End::NotCovered:
+    case FragmentFate::End::Written: break;
+  }
+  if (tie) return Rule::TieBreak;
+  if (e.kind == PrimitiveExplanation::Kind::Triangle && e.clipped && !inside) return Rule::ViewVolume;
+  return shape;
 }
 
-PrimitiveExplanation explainPiece(const Scene& scene, const Rules& rules, const Primitive& primitive,
-                                  const SetupTriangle& piece, SubpixelPosition p, bool insideScissor) {
-  PrimitiveExplanation result;
-  result.primitive = primitive.number;
-  result.clip = primitive.clip;
-  result.clipped = primitive.cut;
-  result.doubleArea = piece.area;
-  result.frontFacing = piece.frontFacing;
-  result.culled = piece.culled;
-  bool inside = true;
-  for (size_t i = 0; i < 3; ++i) {
-    const RasterVertex& a = primitive.polygon[piece.corner[i]];
-    const RasterVertex& b = primitive.polygon[piece.corner[(i + 1) % 3]];
-    result.snapped[i] = a.snapped;
-    result.edges[i] = explainEdge(a, b, piece.edges[i], p);
-    inside = inside && piece.edges[i].covers(p.x, p.y);
+class Explainer {
+ public:
+  Explainer(const Scene& scene, const Rules& rules, SampleQuery query, SampleExplanation& result)
+      : scene_(scene), rules_(rules), query_(query), needs_(needsOf(scene)), replay_(scene, rules, query, result.position),
+        result_(result) {}
+
+  void add(const Primitive& primitive) {
+    reached_.push_back(primitive.number);
+    inScissor_ = targetArea(scene_, primitive.viewportIndex, rules_.error)
+                     .contains(static_cast<int32_t>(query_.x), static_cast<int32_t>(query_.y));
+    for (const SetupTriangle& piece : primitive.pieces) {
+      if (reaches(primitive, piece, result_.position)) result_.primitives.push_back(explainPiece(primitive, piece));
+    }
+    for (const Figure& figure : primitive.figures) {
+      if (reaches(figure, query_)) result_.primitives.push_back(explainFigure(primitive, figure));
+    }
   }
-  result.covered = inside && !piece.culled && insideScissor;
-  result.coverage = result.covered ? Coverage::In : Coverage::Out;
-  if (rules.open && insideScissor) {
-    const BandVerdict verdict =
-        FreedomBand(primitive, scene.state.cullMode, scene.state.frontFace).classifyExactly(p.x, p.y);
-    result.coverage = verdict.coverage;
-    result.freedom = verdict.freedom;
+
+  [[nodiscard]] const std::vector<uint32_t>& reached() const { return reached_; }
+
+ private:
+  [[nodiscard]] PrimitiveExplanation begin(const Primitive& primitive) const {
+    PrimitiveExplanation result;
+    result.primitive = primitive.number;
+    result.vertices = primitive.assembled.count;
+    result.clip = primitive.clip;
+    result.clipped = primitive.cut;
+    return result;
   }
-  result.decidedBy = decidingRule(result, insideScissor);
-  const SceneNeeds needs = needsOf(scene);
-  if (needs.depth) {
-    PieceValues values(scene, needs, rules);
-    values.setUp(primitive, piece);
-    result.depth = values.depth(p.x / double{kSubpixelOne}, p.y / double{kSubpixelOne}).value;
+
+  template <class Part>
+  void settle(PrimitiveExplanation& e, const Primitive& primitive, const Part& part, bool inside) {
+    if (inside && !inScissor_) e.fate.end = FragmentFate::End::OutsideScissor;
+    if (inside && inScissor_) e.fate = replay_.next(primitive, part);
+    e.covered = inside && inScissor_;
+    e.coverage = e.covered ? Coverage::In : Coverage::Out;
+    if (!needs_.depth) return;
+    PieceValues values(scene_, needs_, rules_);
+    values.setUp(primitive, part);
+    e.depth = values.depth(result_.position.x / double{kSubpixelOne}, result_.position.y / double{kSubpixelOne}).value;
   }
-  return result;
-}
+
+  void allow(PrimitiveExplanation& e, const BandVerdict& verdict) const {
+    if (!rules_.open || !inScissor_) return;
+    e.coverage = verdict.coverage;
+    e.freedom = verdict.freedom;
+  }
+
+  PrimitiveExplanation explainPiece(const Primitive& primitive, const SetupTriangle& piece) {
+    const SubpixelPosition p = result_.position;
+    PrimitiveExplanation e = begin(primitive);
+    e.doubleArea = piece.area;
+    e.frontFacing = piece.frontFacing;
+    e.culled = piece.culled;
+    bool inside = true, touched = true, tie = false;
+    for (size_t i = 0; i < 3; ++i) {
+      const RasterVertex& a = primitive.polygon[piece.corner[i]];
+      const RasterVertex& b = primitive.polygon[piece.corner[(i + 1) % 3]];
+      e.snapped[i] = a.snapped;
+      e.edges[i] = explainEdge(a, b, piece.edges[i], p);
+      inside = inside && piece.edges[i].covers(p.x, p.y);
+      touched = touched && e.edges[i].value >= 0;
+      tie = tie || e.edges[i].value == 0;
+    }
+    settle(e, primitive, piece, inside && !piece.culled);
+    if (rules_.open) allow(e, FreedomBand(primitive, scene_.state.cullMode, scene_.state.frontFace).classifyExactly(p.x, p.y));
+    e.decidedBy = decidingRule(e, Rule::SampleCoverage, tie && touched, touched);
+    return e;
+  }
+
+  PrimitiveExplanation explainFigure(const Primitive& primitive, const Figure& figure) {
+    const SubpixelPosition p = result_.position;
+    PrimitiveExplanation e = begin(primitive);
+    const bool point = figure.kind == Figure::Kind::Point;
+    e.kind = point ? PrimitiveExplanation::Kind::Point : PrimitiveExplanation::Kind::Line;
+    e.frontFacing = primitive.frontFacing;
+    e.ends = {figure.a.position, point ? figure.a.position : figure.b.position};
+    e.size = figure.size;
+    const Draw& draw = *primitive.draw;
+    const auto& weights = figure.a.smoothWeights;
+    const uint32_t corner = primitive.assembled.vertices[static_cast<size_t>(std::ranges::max_element(weights) - weights.begin())];
+    const double pointSize = draw.pointSizes.empty() ? scene_.state.pointSize : draw.pointSizes[corner];
+    e.requested = point ? pointSize : scene_.state.lineWidth;
+    const FigureRules own(scene_, rules_, primitive, figure);
+    e.shapeRules.assign(own.all().begin(), own.all().end());
+    bool tie = false, ignored = false;
+    const bool inside = !figure.optional && figure.shape->covers(p.x, p.y, tie);
+    e.facts = figure.shape->facts(p.x, p.y);
+    e.dropped = !inside && figure.solid != nullptr && figure.solid->covers(p.x, p.y, ignored);
+    if (e.facts.sides.empty() && !e.facts.diamond && figure.solid != nullptr) e.facts = figure.solid->facts(p.x, p.y);
+    settle(e, primitive, figure, inside);
+    if (rules_.open) allow(e, figure.shape->classify(p.x, p.y));
+    e.decidedBy = decidingRule(e, own.shape(), tie, inside);
+    return e;
+  }
+
+  const Scene& scene_;
+  const Rules& rules_;
+  const SampleQuery query_;
+  const SceneNeeds needs_;
+  FragmentReplay replay_;
+  SampleExplanation& result_;
+  std::vector<uint32_t> reached_;
+  bool inScissor_ = true;
+};
 
 }  // namespace
 
@@ -92,9 +184,8 @@ Result<SampleExplanation> explain(const Scene& scene, const Rules& profile, Samp
   if (!frame) return tl::unexpected<Error>(frame.error());
   if (query.x >= scene.target.width || query.y >= scene.target.height || query.sample >= scene.target.samples) {
     return fail(ErrorCode::BadInput, "sample",
-                "sample " + std::to_string(query.sample) + " of pixel (" + std::to_string(query.x) + ", " +
-                    std::to_string(query.y) + ") is outside the target of " + std::to_string(scene.target.width) + " × " +
-                    std::to_string(scene.target.height) + " pixels with " + std::to_string(scene.target.samples) + " sample(s)",
+                fmt::format("sample {} of pixel ({}, {}) is outside the target of {} × {} pixels with {} sample(s)",
+                            query.sample, query.x, query.y, scene.target.width, scene.target.height, scene.target.samples),
                 "X and Y count pixels from the top-left corner, samples count from 0");
   }
   const std::vector<SubpixelPosition> pattern = *samplePattern(scene.target.samples, rules);
@@ -104,13 +195,11 @@ Result<SampleExplanation> explain(const Scene& scene, const Rules& profile, Samp
   result.insideScissor =
       targetArea(scene, 0, rules.error).contains(static_cast<int32_t>(query.x), static_cast<int32_t>(query.y));
   result.owner = frame->primitive.at(query.x, query.y, query.sample);
+  Explainer explainer(scene, rules, query, result);
   RuleCounts ignored;
-  forEachPrimitive(scene, rules, ignored, [&](const Primitive& primitive) {
-    for (const SetupTriangle& piece : primitive.pieces) {
-      if (!reaches(primitive, piece, result.position)) continue;
-      result.primitives.push_back(explainPiece(scene, rules, primitive, piece, result.position, result.insideScissor));
-    }
-  });
+  forEachPrimitive(scene, rules, ignored, [&](const Primitive& primitive) { explainer.add(primitive); });
+  result.rejections = explainRejections(scene, rules, explainer.reached());
+  result.rules = rulesAtWork(scene, result);
   return result;
 }
 

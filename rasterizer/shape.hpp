@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rasterizer/freedom_band.hpp"
+#include "rasterizer/shape_facts.hpp"
 
 namespace rasterdiff::rasterizer {
 
@@ -25,6 +26,9 @@ class Shape {
 
   /// Legal coverage under open rules: In, Out, or Either with the freedom's name.
   [[nodiscard]] virtual BandVerdict classify(int64_t px, int64_t py) const = 0;
+
+  /// The numbers behind `covers`.
+  [[nodiscard]] virtual ShapeFacts facts(int64_t px, int64_t py) const = 0;
 };
 
 }  // namespace rasterdiff::rasterizer

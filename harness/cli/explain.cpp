@@ -10,6 +10,7 @@
 #include "harness/cli/selection.hpp"
 #include "harness/compare/compare.hpp"
 #include "harness/report/explanation.hpp"
+#include "harness/report/explanation_parts.hpp"
 #include "harness/report/numbers.hpp"
 
 namespace rasterdiff::harness::cli {
@@ -24,29 +25,28 @@ Result<void> checkPlace(const Scene& scene, const ExplainOptions& options) {
                           counted(target.samples, "sample")));
 }
 
-/// The reference's frame with the driver's answer at one sample only: its comparison is about that sample alone.
-Frame withOneSampleOf(const Frame& reference, const Frame& actual, const rasterizer::SampleQuery& query) {
-  Frame frame;
-  frame.width = reference.width;
-  frame.height = reference.height;
-  frame.samples = reference.samples;
-  frame.primitive = reference.primitive;
-  frame.count = reference.count;
-  frame.depth = reference.depth;
-  for (const VaryingPlane& varying : reference.varyings) frame.varyings.push_back({varying.name, varying.values, {}});
-  for (const VaryingPlane& plane : reference.resolved) frame.resolved.push_back({plane.name, plane.values, {}});
-  const auto take = [&](auto& into, const auto& from) {
-    for (uint32_t c = 0; c < into.components; ++c) {
-      into.at(query.x, query.y, query.sample, c) = from.at(query.x, query.y, query.sample, c);
-    }
-  };
-  take(frame.primitive, actual.primitive);
-  take(frame.count, actual.count);
-  if (frame.depth && actual.depth) take(*frame.depth, *actual.depth);
-  for (size_t v = 0; v < std::min(frame.varyings.size(), actual.varyings.size()); ++v) {
-    take(frame.varyings[v].values, actual.varyings[v].values);
-  }
-  return frame;
+/// Every mistake draws the scene anew: what a bunny takes is too long.
+constexpr uint64_t kMostPrimitivesToTry = 10'000, kMostSamplesToTry = 600'000;
+
+bool isSmall(const Scene& scene) {
+  uint64_t primitives = 0;
+  for (const Draw& draw : scene.draws) primitives += primitiveCount(scene.state, draw);
+  return primitives <= kMostPrimitivesToTry &&
+         uint64_t{scene.target.width} * scene.target.height * scene.target.samples <= kMostSamplesToTry;
+}
+
+Result<void> judge(const Scene& scene, const rasterizer::Rules& rules, const Frame& reference,
+                   const rasterizer::SampleExplanation& sample, const rasterizer::SampleQuery& query, DriverAnswer& driver) {
+  Result<SceneResult> verdict = compare(scene, rules, reference, withOneSampleOf(reference, driver.frame, query));
+  if (!verdict) return tl::unexpected(verdict.error());
+  driver.verdict = std::move(*verdict);
+  if (driver.verdict.verdict != Verdict::Differs || !isSmall(scene)) return {};
+  std::vector<std::string_view> atWork;
+  for (const rasterizer::Rule rule : sample.rules) atWork.push_back(ruleId(rule));
+  Result<Suspicion> suspicion = suspicionOf(scene, rules, driver.frame, query, atWork);
+  if (!suspicion) return tl::unexpected(suspicion.error());
+  driver.suspicion = std::move(*suspicion);
+  return {};
 }
 
 Result<Explanation> explainWith(const Scene& scene, const rasterizer::Rules& rules, const ExplainOptions& options,
@@ -57,9 +57,7 @@ Result<Explanation> explainWith(const Scene& scene, const rasterizer::Rules& rul
   Result<Frame> reference = rasterizer::render(scene, rules);
   if (!reference) return tl::unexpected(reference.error());
   if (driver) {
-    Result<SceneResult> verdict = compare(scene, rules, *reference, withOneSampleOf(*reference, driver->frame, query));
-    if (!verdict) return tl::unexpected(verdict.error());
-    driver->verdict = std::move(*verdict);
+    if (Result<void> judged = judge(scene, rules, *reference, *sample, query, *driver); !judged) return tl::unexpected(judged.error());
   }
   return Explanation{options.scene, scene, rules, query, std::move(*sample), std::move(*reference), std::move(driver)};
 }
@@ -73,7 +71,7 @@ Result<std::string> askDriver(const Scene& scene, const ExplainOptions& options)
   Result<Frame> frame = (*subject)->render(scene);
   if (!frame) return tl::unexpected(frame.error());
   const Result<Explanation> explanation =
-      explainWith(scene, *rules, options, DriverAnswer{subjectLine(**subject), std::move(*frame), {}});
+      explainWith(scene, *rules, options, DriverAnswer{subjectLine(**subject), std::move(*frame), {}, {}});
   if (!explanation) return tl::unexpected(explanation.error());
   const bool differs = explanation->driver->verdict.verdict == Verdict::Differs;
   return (differs ? '1' : '0') + explanationText(*explanation);

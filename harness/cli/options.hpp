@@ -81,6 +81,15 @@ struct BlessOptions {
   std::string reason, rule, anchor;
 };
 
-using Verb = std::variant<CheckOptions, RenderOptions, ExplainOptions, BenchOptions, DevicesOptions, ListOptions, HuntOptions, BlessOptions>;
+struct MethodsOptions {
+  std::string family;  ///< empty = all
+  uint64_t seed = 1;
+  uint32_t cases = 300;
+  bool markdown = false;
+  std::string json, csv;  ///< paths; empty = not wanted
+};
+
+using Verb = std::variant<CheckOptions, RenderOptions, ExplainOptions, BenchOptions, DevicesOptions,
+                          ListOptions, HuntOptions, BlessOptions, MethodsOptions>;
 
 }  // namespace rasterdiff::harness::cli

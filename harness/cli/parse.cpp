@@ -33,7 +33,8 @@ constexpr const char* kRenderExamples = R"(Writes one PNG (samples averaged) and
 
 Examples:
   rasterdiff render mesh/bunny --with reference -o bunny
-  rasterdiff render my.scene.json --with driver --driver swiftshader -o out)";
+  rasterdiff render my.scene.json --with driver --driver swiftshader -o out
+  rasterdiff render fill/shared-diagonal --with method:edge-float -o out     a textbook method)";
 
 constexpr const char* kExplainExamples = R"(Examples:
   rasterdiff explain fill/shared-diagonal 12 12
@@ -81,9 +82,17 @@ constexpr const char* kListExamples = R"(Examples:
   rasterdiff list --mutants        deliberate errors for --driver mutant:NAME
   rasterdiff list --freedoms       what the specification leaves open)";
 
+constexpr const char* kMethodsExamples = R"(FAMILY: coverage, polygon, line, interpolation, sampling, jaggies, aliasing or moire. None: all.
+What a coverage method costs on a whole scene: rasterdiff check 'fill/*' --driver method:edge-float
+
+Examples:
+  rasterdiff methods coverage
+  rasterdiff methods --cases 1000 --seed 7 --json methods.json --csv methods.csv
+  rasterdiff methods --markdown                                   the tables of docs/methods.md)";
+
 void addDriverOptions(CLI::App& verb, DriverChoice& choice, const std::string& alsoDrivers) {
   verb.add_option("--driver", choice.driver,
-                  "lavapipe, swiftshader, the path of an ICD manifest (*.json), mutant:NAME" + alsoDrivers)
+                  "lavapipe, swiftshader, the path of an ICD manifest (*.json), mutant:NAME, method:NAME" + alsoDrivers)
       ->capture_default_str();
   verb.add_option("--rules", choice.rules,
                   "auto (the driver's profile if one is known, else spec), spec, or a profile: reference, lavapipe")
@@ -150,9 +159,17 @@ void addRender(CLI::App& app, RenderOptions& options) {
   verb->footer(kRenderExamples);
   verb->add_option("SCENE", options.scene, "Catalogue name or scene file")->required();
   verb->add_option_function<std::string>(
-          "--with", [&options](const std::string& with) { options.withDriver = with == "driver"; },
-          "Which side draws")
-      ->check(CLI::IsMember({"reference", "driver"}))
+          "--with",
+          [&options](const std::string& with) {
+            options.withDriver = with != "reference";
+            if (with.find(':') != std::string::npos) {
+              options.choice.driver = with;
+            } else if (with != "reference" && with != "driver") {
+              throw CLI::ValidationError("--with", "wants reference, driver, method:NAME or mutant:NAME");
+            }
+          },
+          "Which side draws: reference, driver (see --driver), method:NAME or mutant:NAME")
+      ->type_name("SIDE")
       ->required();
   verb->add_option("-o,--output", options.folder, "Folder for the files; made if it is missing")->required();
   addDriverOptions(*verb, options.choice, "");
@@ -248,6 +265,17 @@ void addHunt(CLI::App& app, HuntOptions& options) {
   verb->add_option("--jobs", options.jobs, "Worker processes (0: one a core)")->check(CLI::Range(0U, 256U));
 }
 
+void addMethods(CLI::App& app, MethodsOptions& options) {
+  CLI::App* verb = app.add_subcommand("methods", "The lectures' algorithms, measured against the exact answer");
+  verb->footer(kMethodsExamples);
+  verb->add_option("FAMILY", options.family, "Only this family");
+  verb->add_option("--seed", options.seed, "Seed of the inputs")->capture_default_str();
+  verb->add_option("--cases", options.cases, "Inputs a set")->check(CLI::Range(1U, 1'000'000U))->capture_default_str();
+  verb->add_flag("--markdown", options.markdown, "Tables as in docs/methods.md");
+  verb->add_option("--json", options.json, "Write the rows as JSON");
+  verb->add_option("--csv", options.csv, "Write the rows as CSV");
+}
+
 }  // namespace
 
 tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
@@ -263,6 +291,7 @@ tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
   ListOptions list;
   HuntOptions hunt;
   BlessOptions bless;
+  MethodsOptions methods;
   addCheck(app, check);
   addRender(app, render);
   addExplain(app, explain);
@@ -273,6 +302,7 @@ tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
   addList(app, list);
   addHunt(app, hunt);
   addBless(app, bless);
+  addMethods(app, methods);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -295,6 +325,7 @@ tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
   if (verb == "devices") return devices;
   if (verb == "hunt") return hunt;
   if (verb == "bless") return bless;
+  if (verb == "methods") return methods;
   return list;
 }
 

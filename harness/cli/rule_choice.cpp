@@ -5,7 +5,9 @@
 namespace rasterdiff::harness::cli {
 namespace {
 
-bool madeOfReference(const std::string& driver) { return driver.starts_with("mutant:") || driver.starts_with("fault:"); }
+bool madeOfReference(const std::string& driver) {
+  return driver.starts_with("mutant:") || driver.starts_with("fault:") || driver.starts_with("method:");
+}
 
 bool isProfile(const std::string& rules) {
   const auto names = rasterizer::profiles();

@@ -16,5 +16,6 @@ namespace rasterdiff::harness::cli {
 [[nodiscard]] int runVerb(const ListOptions& options);
 [[nodiscard]] int runVerb(const HuntOptions& options);
 [[nodiscard]] int runVerb(const BlessOptions& options);
+[[nodiscard]] int runVerb(const MethodsOptions& options);
 
 }  // namespace rasterdiff::harness::cli

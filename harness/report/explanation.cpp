@@ -2,46 +2,22 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <iterator>
 
+#include "harness/report/explanation_parts.hpp"
 #include "harness/report/numbers.hpp"
 #include "harness/report/text_picture.hpp"
 
 namespace rasterdiff::harness {
 namespace {
 
-using Out = std::back_insert_iterator<std::string>;
+using Out = TextOut;
 using namespace rasterizer;
 
-constexpr size_t kShownPrimitives = 12;
+constexpr size_t kShownPrimitives = 12, kShownRejections = 6, kShownSuspects = 8;
 
-double pixels(int32_t subpixels) { return static_cast<double>(subpixels) / kSubpixelOne; }
-/// Edge values and areas: Q.16 of a pixel².
-double squarePixels(int64_t value) { return static_cast<double>(value) / (kSubpixelOne * kSubpixelOne); }
-
-std::string place(const SubpixelPosition& p) { return fmt::format("({}, {})", pixels(p.x), pixels(p.y)); }
-
-const RuleInfo* infoOf(Rule rule) {
-  for (const RuleInfo& known : countedRules()) {
-    if (known.rule == rule) return &known;
-  }
-  return nullptr;
-}
-
-std::string_view side(const EdgeExplanation& edge) {
-  if (edge.value > 0) return "inside";
-  if (edge.value < 0) return "outside";
-  return edge.ownsTies ? "ON THE EDGE, which owns its samples" : "ON THE EDGE, which leaves its samples to the other side";
-}
-
-void writeEdge(Out out, const EdgeExplanation& edge) {
-  fmt::format_to(out, "    edge    {} to {}: {} = {} pixel^2, {}", place(edge.ends[0]), place(edge.ends[1]), edge.value,
-                 squarePixels(edge.value), side(edge));
-  if (edge.lowest != edge.highest) {
-    fmt::format_to(out, "; {} to {} over all legal placements", edge.lowest, edge.highest);
-  }
-  fmt::format_to(out, "\n");
+std::string place(const SubpixelPosition& p) {
+  return fmt::format("({}, {})", static_cast<double>(p.x) / kSubpixelOne, static_cast<double>(p.y) / kSubpixelOne);
 }
 
 std::string_view word(Coverage coverage) {
@@ -53,31 +29,38 @@ std::string_view word(Coverage coverage) {
   return "open";
 }
 
-void writePrimitive(Out out, const PrimitiveExplanation& primitive, bool open, bool depth) {
-  fmt::format_to(out, "primitive {}{}: {}-facing{}, signed area a = {} pixel^2\n", primitive.primitive,
-                 primitive.clipped ? " (a piece that clipping made)" : "", primitive.frontFacing ? "front" : "back",
-                 primitive.culled ? ", CULLED" : "", 0 - squarePixels(primitive.doubleArea) / 2);  // Vulkan's a
-  for (size_t v = 0; v < 3; ++v) {
-    const ClipPosition& clip = primitive.clip[v];
-    const SubpixelPosition& snapped = primitive.snapped[v];
-    fmt::format_to(out, "    vertex  clip ({}, {}, {}, {}), pixel {} = ({}, {})/256\n", clip.x, clip.y, clip.z, clip.w,
-                   place(snapped), snapped.x, snapped.y);
+void writePrimitive(Out out, const PrimitiveExplanation& e, bool open, bool depth) {
+  if (e.kind == PrimitiveExplanation::Kind::Triangle) {
+    writeTriangle(out, e);
+  } else {
+    writeFigure(out, e);
   }
-  for (const EdgeExplanation& edge : primitive.edges) writeEdge(out, edge);
-  fmt::format_to(out, "    result  {}", primitive.covered ? "covered" : "not covered");
-  if (const RuleInfo* rule = infoOf(primitive.decidedBy)) {
-    fmt::format_to(out, ", decided by {} {} [{}]", rule->id, rule->name, rule->anchor);
+  const std::string fate = fateText(e, depth);
+  fmt::format_to(out, "    result  {}, decided by {}\n", fate.empty() ? "not covered" : fate, ruleText(e.decidedBy));
+  if (!open) return;
+  fmt::format_to(out, "    legal   {}", word(e.coverage));
+  if (e.freedom != Freedom::None) {
+    const FreedomInfo& freedom = info(e.freedom);
+    fmt::format_to(out, ": {} [{}], {}", freedom.id, freedom.anchor, freedom.what);
   }
-  if (depth && primitive.covered) fmt::format_to(out, ", depth {}", primitive.depth);
   fmt::format_to(out, "\n");
-  if (open) {
-    fmt::format_to(out, "    legal   {}", word(primitive.coverage));
-    if (primitive.freedom != Freedom::None) {
-      const FreedomInfo& freedom = info(primitive.freedom);
-      fmt::format_to(out, ": {} [{}], {}", freedom.id, freedom.anchor, freedom.what);
-    }
-    fmt::format_to(out, "\n");
+}
+
+void writeRejections(Out out, const SampleExplanation& sample) {
+  for (size_t i = 0; i < sample.rejections.size() && i < kShownRejections; ++i) {
+    const Rejection& rejection = sample.rejections[i];
+    fmt::format_to(out, "rejected    {}, {} the first, by {}: {}\n", counted(rejection.count, "primitive"),
+                   primitiveText(rejection.first), rejection.by, ruleText(rejection.rule));
   }
+}
+
+void writeRules(Out out, const SampleExplanation& sample) {
+  std::string ids;
+  for (const Rule rule : sample.rules) {
+    const std::string id(ruleId(rule));
+    if ((ids + " ").find(id + " ") == std::string::npos) ids += (ids.empty() ? "" : " ") + id;
+  }
+  fmt::format_to(out, "at work     {}\n", ids);
 }
 
 std::string answer(const Frame& frame, const SampleQuery& query) {
@@ -114,6 +97,21 @@ void writeVerdict(Out out, const SceneResult& verdict) {
   }
 }
 
+// Which known mistakes would give the driver's answer.
+void writeSuspicion(Out out, const Suspicion& suspicion) {
+  if (suspicion.suspects.empty()) {
+    fmt::format_to(out, "suspects    none of {} known mistakes gives this answer\n", suspicion.tried);
+    return;
+  }
+  for (size_t i = 0; i < suspicion.suspects.size() && i < kShownSuspects; ++i) {
+    const Suspect& suspect = suspicion.suspects[i];
+    fmt::format_to(out, "suspect     {}: {} (mutant:{})\n", suspect.rule, suspect.what, suspect.mutant);
+  }
+  const uint64_t left = suspicion.suspects.front().left;
+  fmt::format_to(out, "            explains this sample and {} of the scene's {} differing samples and values\n",
+                 left == 0 ? "all" : grouped(suspicion.differing - left), grouped(suspicion.differing));
+}
+
 }  // namespace
 
 std::string explanationText(const Explanation& e) {
@@ -134,10 +132,13 @@ std::string explanationText(const Explanation& e) {
   if (sample.primitives.size() > kShownPrimitives) {
     fmt::format_to(out, "and {}\n", counted(sample.primitives.size() - kShownPrimitives, "further primitive"));
   }
+  writeRejections(out, sample);
+  writeRules(out, sample);
   fmt::format_to(out, "\nreference   {}\n", answer(e.reference, e.query));
   if (e.driver) {
     fmt::format_to(out, "driver      {}\n            by {}\n", answer(e.driver->frame, e.query), e.driver->subject);
     writeVerdict(out, e.driver->verdict);
+    if (e.driver->suspicion) writeSuspicion(out, *e.driver->suspicion);
   }
   text += '\n';
   text += textPicture(e.reference, e.driver ? &e.driver->frame : nullptr, {e.query.x, e.query.y, e.query.sample});

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "harness/compare/suspects.hpp"
 #include "harness/compare/verdict.hpp"
 #include "rasterizer/explain.hpp"
 #include "scene/scene.hpp"
@@ -14,6 +15,7 @@ struct DriverAnswer {
   std::string subject;  ///< subjectLine
   Frame frame;
   SceneResult verdict;  ///< about the asked sample alone
+  std::optional<Suspicion> suspicion;  ///< where it differs, and the scene is small enough to try
 };
 
 struct Explanation {

@@ -2,6 +2,7 @@
 // sample of a pixel. [vk:primsrast-lines-bresenham]
 #include "rasterizer/lines/bresenham_line.hpp"
 #include "rasterizer/lines/line_coverage.hpp"
+#include "rasterizer/lines/stipple.hpp"
 
 namespace rasterdiff::rasterizer {
 namespace {
@@ -13,10 +14,8 @@ class BresenhamCoverage final : public LineCoverage {
 
   bool covers(int64_t px, int64_t py, bool& tie) const override {
     tie = false;  // pixels are covered, not points
-    const int64_t x = px >> kSubpixelBits, y = py >> kSubpixelBits;
-    const int64_t from = line_.xMajor() ? first_.x : first_.y, to = line_.xMajor() ? last_.x : last_.y;
-    const int64_t along = line_.xMajor() ? x : y, across = line_.xMajor() ? y : x;
-    const int64_t i = to >= from ? along - from : from - along;
+    const int64_t x = px >> kSubpixelBits, y = py >> kSubpixelBits, across = line_.xMajor() ? y : x;
+    const int64_t i = column(x, y);
     if (i < 0 || i >= line_.count()) return false;
     const PixelIndex pixel = line_.pixel(i);
     const int64_t offset = across - (line_.xMajor() ? pixel.y : pixel.x);
@@ -24,11 +23,29 @@ class BresenhamCoverage final : public LineCoverage {
     return !stipple_.enabled || stipple_.draws(stipple_.start.s + static_cast<uint64_t>(i));
   }
 
+  ShapeFacts facts(int64_t px, int64_t py) const override {
+    const int64_t i = column(px >> kSubpixelBits, py >> kSubpixelBits);
+    const DiamondLine::Crossing crossing = line_.crossing(i);
+    ShapeFacts facts;
+    facts.diamond = DiamondFacts{line_.xMajor(), i, line_.count(), line_.pixel(i), width_, crossing.numerator, crossing.denominator};
+    if (stipple_.enabled && facts.diamond->inColumn()) {
+      facts.stipple = stippleFacts(stipple_, stipple_.start.s + static_cast<uint64_t>(i));
+    }
+    return facts;
+  }
+
   // The outermost pixels are centred within half a pixel of the line's own, and a pixel's corner is 0.71 from its
   // centre.
   double reach() const override { return static_cast<double>(width_ + 3) / 2 * kSubpixelOne; }
 
  private:
+  // Number of the pixel's column (x-major) or row along the line.
+  [[nodiscard]] int64_t column(int64_t x, int64_t y) const {
+    const int64_t from = line_.xMajor() ? first_.x : first_.y, to = line_.xMajor() ? last_.x : last_.y;
+    const int64_t along = line_.xMajor() ? x : y;
+    return to > from || (to == from && line_.forward()) ? along - from : from - along;
+  }
+
   DiamondLine line_;
   int64_t width_;
   LineStipple stipple_;

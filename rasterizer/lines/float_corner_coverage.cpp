@@ -1,6 +1,8 @@
 // Lines as a float32 driver draws them: the outlines of float_corners.hpp as polygons, decided in integers.
 // [choice:line-arithmetic] [vk:primsrast-polygons-basic]
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "rasterizer/lines/line_coverage.hpp"
 #include "rasterizer/lines/tile_binning.hpp"
@@ -39,6 +41,34 @@ class FloatCornerCoverage final : public LineCoverage {
       tie = tie || (touched && onEdge);
     }
     return covered;
+  }
+
+  // Of the outline in which the sample lies deepest.
+  ShapeFacts facts(int64_t px, int64_t py) const override {
+    constexpr std::array<std::string_view, 4> kNames{"edge 1", "edge 2", "edge 3", "edge 4"};
+    if (!atSamples_) {
+      px = (px >> kSubpixelBits) * kSubpixelOne + kSubpixelOne / 2;
+      py = (py >> kSubpixelBits) * kSubpixelOne + kSubpixelOne / 2;
+    }
+    ShapeFacts best;
+    double deepest = -std::numeric_limits<double>::infinity();
+    for (const Outline& outline : outlines_) {
+      ShapeFacts facts;
+      double least = std::numeric_limits<double>::infinity();
+      for (size_t i = 0; i < 4; ++i) {
+        const EdgeFunction& edge = outline.edges[i];
+        const double length = std::hypot(static_cast<double>(edge.dx), static_cast<double>(edge.dy));
+        const int64_t value = edge.at(px, py);
+        const double inside = length > 0 ? static_cast<double>(value) / length / kSubpixelOne : 0;
+        facts.corners.push_back({static_cast<double>(edge.ax) / kSubpixelOne, static_cast<double>(edge.ay) / kSubpixelOne, 0});
+        facts.sides.push_back({kNames[i], inside, value == 0, edge.ownsTies});
+        least = std::min(least, inside);
+      }
+      if (least <= deepest) continue;
+      deepest = least;
+      best = std::move(facts);
+    }
+    return best;
   }
 
   // Corners lie within half the width and the moves along the line (a pixel) of the ends; centres stand for pixels.

@@ -6,6 +6,7 @@
 
 #include "rasterizer/lines/line_reach.hpp"
 #include "rasterizer/lines/line_style.hpp"
+#include "rasterizer/shape_facts.hpp"
 
 namespace rasterdiff::rasterizer {
 
@@ -14,6 +15,8 @@ class LineCoverage {
   virtual ~LineCoverage() = default;
   /// Sample position in 1/256 pixel. `tie`: it lies on the boundary of what is drawn.
   [[nodiscard]] virtual bool covers(int64_t px, int64_t py, bool& tie) const = 0;
+  /// The numbers behind `covers`; none for a deliberate error.
+  [[nodiscard]] virtual ShapeFacts facts(int64_t, int64_t) const { return {}; }
   /// No covered sample is farther from the segment between the nominal ends, 1/256 pixel.
   [[nodiscard]] virtual double reach() const = 0;
 };

@@ -52,6 +52,8 @@ class LineShape final : public Shape {
     return nominal_ && nominal_->covers(px, py, tie);
   }
 
+  ShapeFacts facts(int64_t px, int64_t py) const override { return nominal_ ? nominal_->facts(px, py) : ShapeFacts{}; }
+
   BandVerdict classify(int64_t px, int64_t py) const override {
     if (!cut_.band && !uncut_) {
       bool tie = false;

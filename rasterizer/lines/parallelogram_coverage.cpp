@@ -37,6 +37,25 @@ class ParallelogramCoverage final : public LineCoverage {
     return (low > 0 || ownsLow_) && (high > 0 || ownsHigh_) && (along > 0 || ownsStart_) && (along < major || ownsEnd_);
   }
 
+  ShapeFacts facts(int64_t px, int64_t py) const override {
+    const int64_t x = px - a_.x, y = py - a_.y;
+    const int64_t major = xMajor_ ? dx_ : dy_, along = xMajor_ ? x : y, cross = dx_ * y - dy_ * x;
+    const int64_t low = 2 * cross + width_ * major, high = width_ * major - 2 * cross;
+    const auto pixels = [](int64_t subpixels) { return static_cast<double>(subpixels) / kSubpixelOne; };
+    const auto across = [&](int64_t value) { return static_cast<double>(value) / (2.0 * static_cast<double>(major)) / kSubpixelOne; };
+    ShapeFacts facts;
+    facts.sides = {{xMajor_ ? "upper side" : "right side", across(low), low == 0, ownsLow_},
+                   {xMajor_ ? "lower side" : "left side", across(high), high == 0, ownsHigh_},
+                   {xMajor_ ? "left end" : "upper end", pixels(along), along == 0, ownsStart_},
+                   {xMajor_ ? "right end" : "lower end", pixels(major - along), along == major, ownsEnd_}};
+    const double half = pixels(width_) / 2, aside = xMajor_ ? 0 : half, down = xMajor_ ? half : 0;
+    for (const double sign : {-1.0, 1.0}) {
+      facts.corners.push_back({pixels(a_.x) + sign * aside, pixels(a_.y) + sign * down, 0});
+      facts.corners.push_back({pixels(a_.x + dx_) + sign * aside, pixels(a_.y + dy_) + sign * down, 0});
+    }
+    return facts;
+  }
+
   double reach() const override { return static_cast<double>(width_) / 2 + 1; }
 
  private:

@@ -42,6 +42,30 @@ class RectangleCoverage final : public LineCoverage {
     return stipple_.draws(stipple_.start.s + static_cast<uint64_t>(unitRectangle(along, length2)));
   }
 
+  ShapeFacts facts(int64_t px, int64_t py) const override {
+    const int64_t x = px - a_.x, y = py - a_.y;
+    const int64_t along = x * dx_ + y * dy_, length2 = dx_ * dx_ + dy_ * dy_, cross = dx_ * y - dy_ * x;
+    const bool onSide = 4 * squared(cross) == squared(width_) * length2;
+    const double length = std::sqrt(static_cast<double>(length2)), half = static_cast<double>(width_) / 2;
+    const double across = static_cast<double>(cross) / length, forward = static_cast<double>(along) / length;
+    ShapeFacts facts;
+    facts.sides = {{"left side", (half + across) / kSubpixelOne, onSide && cross < 0, ownsLow_},
+                   {"right side", (half - across) / kSubpixelOne, onSide && cross > 0, ownsHigh_},
+                   {"start", forward / kSubpixelOne, along == 0, ownsStart_},
+                   {"end", (length - forward) / kSubpixelOne, along == length2, ownsEnd_}};
+    const double nx = -static_cast<double>(dy_) / length * half, ny = static_cast<double>(dx_) / length * half;
+    const auto corner = [&](double cx, double cy) { facts.corners.push_back({cx / kSubpixelOne, cy / kSubpixelOne, 0}); };
+    const double bx = static_cast<double>(a_.x + dx_), by = static_cast<double>(a_.y + dy_);
+    corner(a_.x - nx, a_.y - ny);
+    corner(bx - nx, by - ny);
+    corner(bx + nx, by + ny);
+    corner(a_.x + nx, a_.y + ny);
+    if (stipple_.enabled && along >= 0 && along <= length2) {
+      facts.stipple = stippleFacts(stipple_, stipple_.start.s + static_cast<uint64_t>(unitRectangle(along, length2)));
+    }
+    return facts;
+  }
+
   double reach() const override { return static_cast<double>(width_) / 2 + 1; }
 
  private:

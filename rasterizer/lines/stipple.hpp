@@ -3,8 +3,13 @@
 #pragma once
 
 #include "rasterizer/lines/line_style.hpp"
+#include "rasterizer/shape_facts.hpp"
 
 namespace rasterdiff::rasterizer {
+
+[[nodiscard]] inline StippleFacts stippleFacts(const LineStipple& stipple, uint64_t counter) {
+  return {counter, static_cast<uint32_t>(counter / stipple.factor % 16), stipple.draws(counter)};
+}
 
 /// What may happen to a sample whose counter is not known exactly.
 struct StippleOutcome {

@@ -35,12 +35,15 @@ DiamondLine::DiamondLine(SubpixelPosition a, SubpixelPosition b, DiamondRule rul
   count_ = std::max<int64_t>(0, (last - first_) * direction_ + 1);
 }
 
-/// Row (x-major) or column (y-major) of the diamond that the line crosses in the middle of a column or row.
-int64_t DiamondLine::minor(int64_t major) const {
+DiamondLine::Crossing DiamondLine::crossingAt(int64_t major) const {
   const int64_t startMajor = xMajor_ ? a_.x : a_.y, startMinor = xMajor_ ? a_.y : a_.x;
   // crossing · run, 1/65536 pixel²  // 2^30 · 2^29 + 2^30 · 2^30 ≤ 2^61
-  const int64_t crossing = run_ * startMinor + rise_ * (centreOf(major) - startMajor);
-  const int64_t divisor = run_ * kSubpixelOne;
+  return {run_ * startMinor + rise_ * (centreOf(major) - startMajor), run_ * kSubpixelOne};
+}
+
+/// Row (x-major) or column (y-major) of the diamond that the line crosses in the middle of a column or row.
+int64_t DiamondLine::minor(int64_t major) const {
+  const auto [crossing, divisor] = crossingAt(major);
   const int64_t pixel = floorDivide(crossing, divisor);
   if (floorRemainder(crossing, divisor) != 0) return pixel;
   // Exactly between two diamonds. Vulkan's shift moves an x-major line's crossing by ε · slope - ε², a y-major line's

@@ -31,6 +31,13 @@ class DiamondLine {
   [[nodiscard]] int64_t count() const { return count_; }
   /// The i-th pixel on the way from a to b, 0 ≤ i < count().
   [[nodiscard]] PixelIndex pixel(int64_t i) const { return at(first_ + i * direction_); }
+  /// The major coordinate grows along the line.
+  [[nodiscard]] bool forward() const { return direction_ > 0; }
+  /// Where the line crosses the middle of its i-th column (any i): numerator / denominator pixels, exactly.
+  struct Crossing {
+    int64_t numerator = 0, denominator = 1;
+  };
+  [[nodiscard]] Crossing crossing(int64_t i) const { return crossingAt(first_ + i * direction_); }
   /// Keeps of [0, count()) the range whose column (x-major) or row (y-major) lies in `area`.
   struct Range {
     int64_t begin = 0, end = 0;
@@ -38,6 +45,7 @@ class DiamondLine {
   [[nodiscard]] Range within(const PixelArea& area) const;
 
  private:
+  [[nodiscard]] Crossing crossingAt(int64_t major) const;
   [[nodiscard]] int64_t minor(int64_t major) const;
   [[nodiscard]] PixelIndex at(int64_t major) const;
   [[nodiscard]] bool contains(int64_t dx, int64_t dy) const;

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 namespace rasterdiff::rasterizer {
 
 std::span<const MethodFamily> methodFamilies() {
   static constexpr MethodFamily kFamilies[] = {
+      {"coverage", "a triangle within 48 × 48 pixels", "samples that differ", "wrong samples a triangle"},
       {"polygon", "a polygon on 32 × 32 pixels", "pixels that differ", "wrong pixels a polygon"},
       {"line", "a line within 32 × 32 pixels", "pixels missing or too many", "wrong pixels a line"},
       {"interpolation", "a value", "values that are not correctly rounded", "ULP of float32"},
@@ -21,6 +23,7 @@ std::span<const MethodFamily> methodFamilies() {
 
 std::vector<MethodRow> methodTable(const MethodTableOptions& options) {
   std::vector<MethodRow> rows;
+  measureCoverage(options, rows);
   measurePolygons(options, rows);
   measureLines(options, rows);
   measureInterpolation(options, rows);
@@ -32,6 +35,7 @@ std::vector<MethodRow> methodTable(const MethodTableOptions& options) {
 std::string methodTableMarkdown(std::span<const MethodRow> rows) {
   std::string text;
   for (const MethodFamily& family : methodFamilies()) {
+    if (std::ranges::find(rows, family.name, &MethodRow::family) == rows.end()) continue;
     fmt::format_to(std::back_inserter(text),
                    "### {}\n\nA case is {}; wrong: {}; error: {}.\n\n"
                    "| method | inputs | cases | wrong | max error | mean | RMS |\n|---|---|--:|--:|--:|--:|--:|\n",

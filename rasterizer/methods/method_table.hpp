@@ -1,4 +1,4 @@
-// Measures every method of the lectures (polygons, lines, interpolation, sampling, aliasing) against the exact answer.
+// Measures every method of the lectures (coverage of triangles, polygons, lines, interpolation, sampling, aliasing) against the exact answer.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct MethodFamily {
   std::string_view errorIs;  ///< the error of a case and its unit
 };
 
-/// "polygon", "line", "interpolation", "sampling", "jaggies", "aliasing", "moire", in the order of the table.
+/// "coverage", "polygon", "line", "interpolation", "sampling", "jaggies", "aliasing", "moire", in the order of the table.
 [[nodiscard]] std::span<const MethodFamily> methodFamilies();
 
 struct MethodTableOptions {
@@ -41,6 +41,7 @@ struct MethodTableOptions {
 [[nodiscard]] std::string methodTableMarkdown(std::span<const MethodRow> rows);
 
 // One function a family, each in its own file.
+void measureCoverage(const MethodTableOptions& options, std::vector<MethodRow>& rows);
 void measurePolygons(const MethodTableOptions& options, std::vector<MethodRow>& rows);
 void measureLines(const MethodTableOptions& options, std::vector<MethodRow>& rows);
 void measureInterpolation(const MethodTableOptions& options, std::vector<MethodRow>& rows);

@@ -16,6 +16,7 @@ class SquarePoint final : public Shape {
  public:
   struct Axis {
     Interval nominal;
+    double low = 0, high = 0;    // the sides of the nominal square, 1/256 pixel
     Interval certain, possible;  // the closed square for every legal centre, and for any (possible: low <= p <= high - 1)
   };
   SquarePoint(const Axis& x, const Axis& y) : x_(x), y_(y) {}
@@ -30,6 +31,17 @@ class SquarePoint final : public Shape {
     const auto touches = [](const Interval& i, int64_t p) { return p >= i.low && p <= i.high; };
     tie = touches(x_.nominal, px) && touches(y_.nominal, py) && (onBorder(x_.nominal, px) || onBorder(y_.nominal, py));
     return x_.nominal.contains(px) && y_.nominal.contains(py);
+  }
+  [[nodiscard]] ShapeFacts facts(int64_t px, int64_t py) const override {
+    const auto side = [](std::string_view name, double inside, bool owns) {
+      return SideFacts{name, inside / kSubpixelOne, inside == 0, owns};
+    };
+    const double x = static_cast<double>(px), y = static_cast<double>(py);
+    ShapeFacts facts;
+    facts.sides = {side("left", x - x_.low, true), side("right", x_.high - x, false), side("top", y - y_.low, true),
+                   side("bottom", y_.high - y, false)};
+    facts.corners = {{x_.low / kSubpixelOne, y_.low / kSubpixelOne, 0}, {x_.high / kSubpixelOne, y_.high / kSubpixelOne, 0}};
+    return facts;
   }
   [[nodiscard]] BandVerdict classify(int64_t px, int64_t py) const override {
     if (x_.certain.contains(px) && y_.certain.contains(py)) return {Coverage::In, Freedom::None, std::nullopt};
@@ -79,15 +91,21 @@ std::unique_ptr<Shape> makePointShape(const ClipPosition& position, const Raster
   // Half sides in 1/256 pixel, on the grid that ceilingExactly takes.
   const auto halfSide = [](float side) { return std::nearbyint(double{side} * 128 * 1024) / 1024; };
   const double half = halfSide(size.nominal);
-  const auto axis = [&](float coordinate, const ViewportAxis& viewportAxis, int32_t snapped, int32_t lowest, int32_t highest,
-                        bool ownsLow) {
+  const auto axis = [&](float coordinate, const ViewportAxis& viewportAxis, double place, int32_t snapped, int32_t lowest,
+                        int32_t highest, bool ownsLow) {
     SquarePoint::Axis result;
+    result.low = place * kSubpixelOne - half;
+    result.high = place * kSubpixelOne + half;
     if (stage.rules.choices.pointArithmetic == PointArithmetic::SnappedCentre) {
       // The centre snapped like a vertex, the side in whole subpixels and at least a pixel, its half rounded down.
       const auto side = std::max<int64_t>(kSubpixelOne, static_cast<int64_t>(std::nearbyint(double{size.requested} * kSubpixelOne)));
       result.nominal = {snapped - side / 2, snapped - side / 2 + side};
+      result.low = static_cast<double>(result.nominal.low);
+      result.high = static_cast<double>(result.nominal.high);
     } else if (stage.rules.choices.pointArithmetic == PointArithmetic::ClipCorners) {
       result.nominal = clipCorners(coordinate, position.w, viewportAxis, size.requested, ownsLow, stage);
+      result.low = static_cast<double>(result.nominal.low);
+      result.high = static_cast<double>(result.nominal.high);
     } else if (stage.rules.error == DeliberateError::PointRounded) {
       result.nominal = {snapped - static_cast<int64_t>(half), snapped + static_cast<int64_t>(std::ceil(half))};
     } else {
@@ -102,8 +120,8 @@ std::unique_ptr<Shape> makePointShape(const ClipPosition& position, const Raster
   };
   const TieRule ties = tieRule(stage.rules.choices);
   return std::make_unique<SquarePoint>(
-      axis(position.x, stage.viewport.x, vertex.snapped.x, vertex.lowest.x, vertex.highest.x, ownsTies(ties, 0, -1)),
-      axis(position.y, stage.viewport.y, vertex.snapped.y, vertex.lowest.y, vertex.highest.y, ownsTies(ties, 1, 0)));
+      axis(position.x, stage.viewport.x, vertex.position.x, vertex.snapped.x, vertex.lowest.x, vertex.highest.x, ownsTies(ties, 0, -1)),
+      axis(position.y, stage.viewport.y, vertex.position.y, vertex.snapped.y, vertex.lowest.y, vertex.highest.y, ownsTies(ties, 1, 0)));
 }
 
 }  // namespace rasterdiff::rasterizer

@@ -7,7 +7,7 @@ namespace rasterdiff::test {
 namespace {
 
 TEST(CommandLine, HelpOfEveryVerbSucceedsAndShowsExamples) {
-  for (const char* verb : {"check", "render", "explain", "bench", "devices", "list"}) {
+  for (const char* verb : {"check", "render", "explain", "bench", "devices", "list", "methods", "hunt", "bless"}) {
     const Outcome help = runProgram({verb, "--help"});
     EXPECT_EQ(help.status, 0) << verb;
     EXPECT_NE(help.out.find("Examples:"), std::string::npos) << verb;
@@ -72,6 +72,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"ExplainOutsideTarget", {"explain", "random/half-1x-w1", "9999", "0"}, 2, "outside the target", "rasterdiff explain --help"},
         Refused{"ExplainOutsidePattern", {"explain", "random/half-1x-w1", "1", "1", "--sample", "4"}, 2, "outside the target",
                 "rasterdiff explain --help"},
+        Refused{"UnknownMethod", {"check", "fill/*", "--driver", "method:magic"}, 2, "magic", "rasterdiff methods coverage"},
+        Refused{"UnknownMethodFamily", {"methods", "magic"}, 2, "no family 'magic'", "rasterdiff methods --help"},
+        Refused{"MethodsWithoutCases", {"methods", "--cases", "0"}, 2, "--cases", "rasterdiff methods --help"},
         Refused{"ListUnknownGlob", {"list", "none-such/*"}, 2, "none-such/*", "rasterdiff list"},
         Refused{"ListTwoThings", {"list", "--rules", "--mutants"}, 2, "", "rasterdiff list --help"}),
     [](const auto& each) { return std::string(each.param.why); });

@@ -2,15 +2,11 @@
 // scenes, under its profile and, unless it is legal, under the specification.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <iostream>
 #include <map>
 #include <set>
 
-#include "harness/compare/compare.hpp"
-#include "catalogue_scenes.hpp"
-#include "rasterizer/mistakes/played_device.hpp"
-#include "rasterizer/render.hpp"
+#include "catching_scene.hpp"
 
 namespace rasterdiff {
 namespace rasterizer {
@@ -21,34 +17,14 @@ void PrintTo(const DeliberateErrorInfo& mutant, std::ostream* out) { *out << mut
 
 namespace {
 
-using harness::Verdict;
 using rasterizer::DeliberateError;
 using rasterizer::DeliberateErrorInfo;
 using rasterizer::Rules;
 
-Rules referenceWith(DeliberateError error) {
-  Rules rules = *Rules::profile("reference", rasterizer::playedDevice(error));
-  rules.error = error;
-  return rules;
-}
-
-/// How `rules` judge what the reference makes of a scene with `error` in it.
-Verdict judge(const Scene& scene, const Rules& rules, DeliberateError error) {
-  const Result<Frame> expected = rasterizer::render(scene, rules), actual = rasterizer::render(scene, referenceWith(error));
-  if (!expected || !actual) return Verdict::Skipped;
-  const Result<harness::SceneResult> result = harness::compare(scene, rules, *expected, *actual);
-  return result ? result->verdict : Verdict::Skipped;
-}
-
-/// The first scene that tells, those that name the mutant's rule first; none if no scene does.
-std::string firstCatch(const DeliberateErrorInfo& mutant, const Rules& rules) {
-  for (const bool ofTheRule : {true, false}) {
-    for (const CatalogueScene& entry : catalogueScenes()) {
-      const bool names = std::ranges::find(entry.rules, mutant.rule) != entry.rules.end();
-      if (names == ofTheRule && judge(entry.scene, rules, mutant.error) == Verdict::Differs) return entry.scene.name;
-    }
-  }
-  return {};
+/// None if no scene tells the mutant from the reference.
+std::string catchingScene(const DeliberateErrorInfo& mutant, const Rules& rules) {
+  const std::optional<Catch> caught = firstCatch(mutant, rules);
+  return caught ? caught->scene->name : std::string{};
 }
 
 // What the specification leaves open anyway: other roundings to the grid, another consistent owner of ties, and Bresenham
@@ -67,7 +43,7 @@ TEST_P(Mutant, IsCaughtUnderTheProfile) {
   const DeliberateErrorInfo& mutant = GetParam();
   Rules rules = referenceWith(mutant.error);
   rules.error = DeliberateError::None;
-  const std::string scene = firstCatch(mutant, rules);
+  const std::string scene = catchingScene(mutant, rules);
   EXPECT_FALSE(scene.empty()) << "no scene of the catalogue catches the mutant " << mutant.name << ": " << mutant.what;
   std::cout << "[ MUTANT   ] " << mutant.name << " (" << mutant.rule << ") is caught by " << scene << "\n";
 }
@@ -75,7 +51,7 @@ TEST_P(Mutant, IsCaughtUnderTheProfile) {
 TEST_P(Mutant, IsJudgedByTheSpecificationAsTheLawSays) {
   const DeliberateErrorInfo& mutant = GetParam();
   const Rules specification = Rules::specification(rasterizer::playedDevice(mutant.error));
-  const std::string scene = firstCatch(mutant, specification);
+  const std::string scene = catchingScene(mutant, specification);
   if (kLegal.contains(mutant.error) || kToldByProfile.contains(mutant.error)) {
     EXPECT_TRUE(scene.empty()) << mutant.name << " is taken for legal, but " << scene << " calls it wrong";
   } else {

@@ -1,0 +1,139 @@
+// Which rules had a part in the answer at one sample: those that decided a primitive there, then those of the scene's
+// state that every such answer went through.
+#include <algorithm>
+#include <cmath>
+
+#include "rasterizer/explain.hpp"
+#include "scene/needs.hpp"
+
+namespace rasterdiff::rasterizer {
+namespace {
+
+using Kind = PrimitiveExplanation::Kind;
+
+class RuleList {
+ public:
+  void add(Rule rule) {
+    if (std::ranges::find(rules, rule) == rules.end()) rules.push_back(rule);
+  }
+  void addIf(bool condition, Rule rule) {
+    if (condition) add(rule);
+  }
+  std::vector<Rule> rules;
+};
+
+bool isLineOrPoint(PrimitiveTopology topology) {
+  return topology == PrimitiveTopology::POINT_LIST || topology == PrimitiveTopology::LINE_LIST ||
+         topology == PrimitiveTopology::LINE_STRIP;
+}
+
+bool leavesViewport(const Scene& scene, const PrimitiveExplanation& point) {
+  const Viewport& v = scene.viewport;
+  const double half = point.size / 2, x = point.ends[0].x, y = point.ends[0].y;
+  const double low = std::min(v.y, v.y + v.height), high = std::max(v.y, v.y + v.height);
+  return x - half < v.x || x + half > double{v.x} + v.width || y - half < low || y + half > high;
+}
+
+void addGeometry(RuleList& list, const Scene& scene, const PrimitiveExplanation& e) {
+  const State& state = scene.state;
+  for (const Rule rule : e.shapeRules) list.add(rule);
+  list.addIf(e.kind == Kind::Triangle, Rule::SampleCoverage);
+  list.addIf(e.kind == Kind::Triangle && !e.covered, Rule::HelperInvocation);
+  list.addIf(e.kind != Kind::Point && state.stippledLineEnable, Rule::LineStipple);
+  list.addIf(e.kind == Kind::Point && leavesViewport(scene, e), Rule::PointClip);
+  list.addIf(e.clipped, e.vertices == 2 ? Rule::LineClip : Rule::ViewVolume);
+  list.addIf(e.clipped && e.vertices == 3 && needsOf(scene).varyings > 0, Rule::ClipAttribute);
+  list.addIf(e.clipped && e.vertices == 3 && needsOf(scene).varyings > 0, Rule::CutPolygon);
+  const auto vertices = std::span(e.clip).first(e.vertices);
+  list.addIf(std::ranges::any_of(vertices, [](const ClipPosition& p) { return p.w != 1; }), Rule::Division);
+}
+
+void addState(RuleList& list, const Scene& scene) {
+  const State& state = scene.state;
+  const bool lineOrPoint = isLineOrPoint(state.topology);
+  const auto anyDraw = [&](auto&& is) { return std::ranges::any_of(scene.draws, is); };
+  const bool tables = state.topology != PrimitiveTopology::TRIANGLE_LIST && state.topology != PrimitiveTopology::LINE_LIST &&
+                      state.topology != PrimitiveTopology::POINT_LIST;
+  list.addIf(tables || anyDraw([](const Draw& draw) { return draw.indices.has_value(); }), Rule::ProvokingVertex);
+  list.addIf(!lineOrPoint && state.cullMode != CullMode::NONE, Rule::Facing);
+  list.addIf(!lineOrPoint && state.cullMode != CullMode::NONE, Rule::Culling);
+  list.addIf(!lineOrPoint && state.polygonMode != PolygonMode::FILL, Rule::PolygonMode);
+  list.addIf(anyDraw([](const Draw& draw) { return draw.clipDistanceCount + draw.cullDistanceCount > 0; }), Rule::UserDistance);
+  list.addIf(anyDraw([](const Draw& draw) { return draw.clipDistanceCount > 0; }), Rule::Partition);
+  list.addIf(state.depthClampEnable || state.depthClipEnable.has_value(), Rule::DepthClip);
+  list.addIf(state.negativeOneToOne, Rule::ViewVolume);
+  list.addIf(scene.target.samples > 1, Rule::SamplePattern);
+  list.addIf(scene.scissor.has_value() || !scene.furtherViewports.empty(), Rule::Scissor);
+  list.addIf(state.sampleMask != State{}.sampleMask, Rule::SampleMask);
+  list.addIf(state.alphaToCoverageEnable, Rule::AlphaToCoverage);
+  list.addIf(state.depthTestEnable, Rule::DepthTest);
+  list.add(Rule::ViewportMap);
+}
+
+void addDepth(RuleList& list, const Scene& scene) {
+  const State& state = scene.state;
+  if (!scene.target.depthFormat) return;
+  list.add(Rule::LinearDepth);
+  const bool figures = isLineOrPoint(state.topology) || state.polygonMode != PolygonMode::FILL;
+  list.addIf(state.depthBiasEnable && figures, Rule::DepthBiasMode);
+  list.addIf(state.depthBiasEnable && state.depthBiasConstantFactor != 0, Rule::DepthBiasUnit);
+  list.addIf(state.depthBiasEnable && (state.depthBiasSlopeFactor != 0 || state.depthBiasClamp != 0), Rule::DepthBiasSlope);
+  list.addIf(state.depthClampEnable, Rule::DepthClamp);
+  list.addIf(scene.target.depthFormat != DepthFormat::D32_SFLOAT, Rule::DepthConversion);
+  list.addIf(scene.draws.size() > 1, Rule::Invariance);
+}
+
+void addValues(RuleList& list, const Scene& scene) {
+  if (!scene.draws.empty()) {
+    for (const Varying& varying : scene.draws[0].varyings) {
+      switch (varying.interpolation) {
+        case Interpolation::flat: list.add(Rule::ProvokingVertex); break;
+        case Interpolation::centroid:
+        case Interpolation::sample: list.add(Rule::AttributeLocation); break;
+        case Interpolation::offset: list.add(Rule::InterpolationOffset); break;
+        default: break;
+      }
+      list.addIf(varying.interpolation != Interpolation::flat, Rule::Perspective);
+    }
+  }
+  for (const BuiltIn builtIn : scene.builtIns) {
+    switch (builtIn) {
+      case BuiltIn::FragCoord: list.add(Rule::FragCoord); break;
+      case BuiltIn::FrontFacing: list.add(Rule::FrontFacing); list.add(Rule::Facing); break;
+      case BuiltIn::PointCoord: list.add(Rule::PointCoord); break;
+      case BuiltIn::SampleMask: list.add(Rule::SampleMaskIn); list.add(Rule::CoverageMask); break;
+      case BuiltIn::SampleId:
+      case BuiltIn::SamplePosition: list.add(Rule::SampleShading); break;
+    }
+  }
+  list.addIf(scene.state.sampleShadingEnable, Rule::SampleShading);
+  list.addIf(scene.target.resolve, Rule::Resolve);
+}
+
+}  // namespace
+
+std::vector<Rule> rulesAtWork(const Scene& scene, const SampleExplanation& sample) {
+  RuleList list;
+  // The primitive that has the sample, then the others, the last one first.
+  for (const bool owners : {true, false}) {
+    for (auto e = sample.primitives.rbegin(); e != sample.primitives.rend(); ++e) {
+      if ((e->primitive == sample.owner) == owners) list.add(e->decidedBy);
+    }
+  }
+  size_t covering = 0;
+  for (const PrimitiveExplanation& e : sample.primitives) {
+    covering += e.covered ? 1U : 0U;
+    addGeometry(list, scene, e);
+  }
+  list.addIf(covering > 1, Rule::Order);
+  addDepth(list, scene);
+  addValues(list, scene);
+  addState(list, scene);
+  for (const Rejection& rejection : sample.rejections) {
+    list.add(rejection.rule);
+    list.addIf(rejection.rule == Rule::DepthClip, Rule::ViewVolume);
+  }
+  return list.rules;
+}
+
+}  // namespace rasterdiff::rasterizer
