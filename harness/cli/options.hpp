@@ -52,6 +52,12 @@ struct BenchOptions {
   std::string json, csv, svg, report;  ///< paths; empty = not wanted
 };
 
+struct StabilityOptions {
+  std::string family = "*";    ///< glob
+  std::string driver = "all";  ///< "all" that are installed, "none", or as DriverChoice::driver
+  std::string json, csv, svg, report;  ///< paths; empty = not wanted
+};
+
 struct DevicesOptions {
   bool json = false;
 };
@@ -89,7 +95,7 @@ struct MethodsOptions {
   std::string json, csv;  ///< paths; empty = not wanted
 };
 
-using Verb = std::variant<CheckOptions, RenderOptions, ExplainOptions, BenchOptions, DevicesOptions,
-                          ListOptions, HuntOptions, BlessOptions, MethodsOptions>;
+using Verb = std::variant<CheckOptions, RenderOptions, ExplainOptions, BenchOptions, DevicesOptions, ListOptions,
+                          HuntOptions, BlessOptions, MethodsOptions, StabilityOptions>;
 
 }  // namespace rasterdiff::harness::cli

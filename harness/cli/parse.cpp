@@ -14,6 +14,7 @@ constexpr const char* kMainExamples = R"(Examples:
   rasterdiff check                                     the whole catalogue on lavapipe
   rasterdiff check 'fill/*' --driver swiftshader       some of it on another driver
   rasterdiff explain fill/shared-diagonal 12 12        why is this sample covered?
+  rasterdiff stability --report stability.html         where does each method break?
   rasterdiff devices                                   which drivers are here?
 
 Exit status: 0 nothing unexpected; 1 a difference that nothing allows; 2 usage or bad input; 3 no usable device;
@@ -27,6 +28,7 @@ Examples:
   rasterdiff check my.scene.json --dump planes
   rasterdiff check 'random/*' --count 1000000 --seed 7
   rasterdiff check --driver mutant:truncating-snap     is this deliberate error caught?
+  rasterdiff check --driver legal:7 --rules spec       is this random legal renderer let through?
   rasterdiff check --shard 2/8 --junit shard2.xml      one of eight machines)";
 
 constexpr const char* kRenderExamples = R"(Writes one PNG (samples averaged) and one .npy (every sample) a plane.
@@ -69,6 +71,11 @@ Examples:
   rasterdiff bench --scaling --report bench.html --svg bench.svg --json bench.json --csv bench.csv
   rasterdiff bench my.scene.json --kernels 'spans,render' --driver none)";
 
+constexpr const char* kStabilityExamples = R"(Examples:
+  rasterdiff stability --report stability.html         everything: about a minute
+  rasterdiff stability 'w-*' --driver none             some families, methods and reference alone
+  rasterdiff stability sliver --driver swiftshader --svg sliver.svg --csv sliver.csv)";
+
 constexpr const char* kDevicesExamples = R"(Examples:
   rasterdiff devices
   rasterdiff devices --json)";
@@ -92,7 +99,8 @@ Examples:
 
 void addDriverOptions(CLI::App& verb, DriverChoice& choice, const std::string& alsoDrivers) {
   verb.add_option("--driver", choice.driver,
-                  "lavapipe, swiftshader, the path of an ICD manifest (*.json), mutant:NAME, method:NAME" + alsoDrivers)
+                  "lavapipe, swiftshader, the path of an ICD manifest (*.json), mutant:NAME, method:NAME, legal:SEED" +
+                      alsoDrivers)
       ->capture_default_str();
   verb.add_option("--rules", choice.rules,
                   "auto (the driver's profile if one is known, else spec), spec, or a profile: reference, lavapipe")
@@ -213,6 +221,17 @@ void addBench(CLI::App& app, BenchOptions& options) {
       ->capture_default_str();
 }
 
+void addStability(CLI::App& app, StabilityOptions& options) {
+  CLI::App* verb = app.add_subcommand("stability", "Error as a function of how hard a scene is, and where each method breaks");
+  verb->footer(kStabilityExamples);
+  verb->add_option("FAMILY", options.family, "Only families whose name matches")->capture_default_str();
+  verb->add_option("--driver", options.driver, "all (that are installed), none, or one driver as in check")->capture_default_str();
+  verb->add_option("--json", options.json, "Write the results as JSON");
+  verb->add_option("--csv", options.csv, "Write the results as CSV");
+  verb->add_option("--svg", options.svg, "Write the plots as one SVG file");
+  verb->add_option("--report", options.report, "Write tables and plots as one HTML file");
+}
+
 void addList(CLI::App& app, ListOptions& options) {
   CLI::App* verb = app.add_subcommand("list", "The catalogue, rules, deliberate errors, freedoms");
   verb->footer(kListExamples);
@@ -287,6 +306,7 @@ tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
   RenderOptions render;
   ExplainOptions explain;
   BenchOptions bench;
+  StabilityOptions stability;
   DevicesOptions devices;
   ListOptions list;
   HuntOptions hunt;
@@ -296,6 +316,7 @@ tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
   addRender(app, render);
   addExplain(app, explain);
   addBench(app, bench);
+  addStability(app, stability);
   CLI::App* devicesVerb = app.add_subcommand("devices", "Which drivers are here, with the limits that matter");
   devicesVerb->footer(kDevicesExamples);
   devicesVerb->add_flag("--json", devices.json, "As JSON");
@@ -322,6 +343,7 @@ tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
   if (verb == "render") return render;
   if (verb == "explain") return explain;
   if (verb == "bench") return bench;
+  if (verb == "stability") return stability;
   if (verb == "devices") return devices;
   if (verb == "hunt") return hunt;
   if (verb == "bless") return bless;

@@ -12,6 +12,7 @@ namespace rasterdiff::harness::cli {
 [[nodiscard]] int runVerb(const RenderOptions& options);
 [[nodiscard]] int runVerb(const ExplainOptions& options);
 [[nodiscard]] int runVerb(const BenchOptions& options);
+[[nodiscard]] int runVerb(const StabilityOptions& options);
 [[nodiscard]] int runVerb(const DevicesOptions& options);
 [[nodiscard]] int runVerb(const ListOptions& options);
 [[nodiscard]] int runVerb(const HuntOptions& options);
