@@ -15,16 +15,17 @@ enum Plane : int { PlusX, MinusX, PlusY, MinusY, Near, Far };
 
 // Distance to a plane, >= 0 inside. T is float (a driver's arithmetic) or double.
 template <class T>
-T distance(const ClipVertex& vertex, int plane, bool minusW) {
+T distance(const ClipVertex& vertex, int plane, const ClipVolume& volume) {
   if (plane >= kVolumePlanes) return static_cast<T>(vertex.distances[static_cast<size_t>(plane - kVolumePlanes)]);
   const std::array<double, 4>& p = vertex.position;
-  const T x = static_cast<T>(p[0]), y = static_cast<T>(p[1]), z = static_cast<T>(p[2]), w = static_cast<T>(p[3]);
+  const T side = volume.wideSides ? T{0.5} : T{1};
+  const T x = side * static_cast<T>(p[0]), y = side * static_cast<T>(p[1]), z = static_cast<T>(p[2]), w = static_cast<T>(p[3]);
   switch (plane) {
     case PlusX: return w - x;
     case MinusX: return x + w;
     case PlusY: return w - y;
     case MinusY: return y + w;
-    case Near: return minusW ? z + w : z;
+    case Near: return volume.nearAtMinusW ? z + w : z;
     default: return w - z;
   }
 }
@@ -75,32 +76,34 @@ ClipVertex crossing(const ClipVertex& inside, T dIn, const ClipVertex& outside, 
 
 // `meet`: the crossing of an edge, given its inner end with its distance, then its outer end.
 template <class T, class Meet>
-bool clipAgainst(int plane, bool minusW, const ClipPolygon& in, ClipPolygon& out, const Meet& meet) {
+bool clipAgainst(int plane, const ClipVolume& volume, const ClipPolygon& in, ClipPolygon& out, const Meet& meet) {
   out.size = 0;
   const ClipVertex* previous = &in.vertices[0];
-  T dPrevious = distance<T>(*previous, plane, minusW);
+  T dPrevious = distance<T>(*previous, plane, volume);
   if (!std::isfinite(dPrevious)) return false;
   for (int i = 1; i <= in.size; ++i) {
     const ClipVertex& vertex = in.vertices[static_cast<size_t>(i == in.size ? 0 : i)];
-    const T d = distance<T>(vertex, plane, minusW);
+    const T d = distance<T>(vertex, plane, volume);
     if (!std::isfinite(d)) return false;
-    const auto append = [&out](const ClipVertex& v) {
-      if (out.size < ClipPolygon::kCapacity) out.vertices[static_cast<size_t>(out.size++)] = v;
+    const auto append = [&out](const ClipVertex& v, bool outlined) {
+      if (out.size == ClipPolygon::kCapacity) return;
+      out.vertices[static_cast<size_t>(out.size)] = v;
+      out.vertices[static_cast<size_t>(out.size++)].outlined = outlined;
     };
-    if (dPrevious >= 0) append(*previous);
-    if (dPrevious >= 0 && d < 0) append(meet(*previous, dPrevious, vertex, d));
-    if (dPrevious < 0 && d >= 0) append(meet(vertex, d, *previous, dPrevious));
+    if (dPrevious >= 0) append(*previous, previous->outlined);
+    if (dPrevious >= 0 && d < 0) append(meet(*previous, dPrevious, vertex, d), plane >= kVolumePlanes);
+    if (dPrevious < 0 && d >= 0) append(meet(vertex, d, *previous, dPrevious), previous->outlined);
     previous = &vertex;
     dPrevious = d;
   }
   return true;
 }
 
-bool clipAgainst(ClipArithmetic arithmetic, int plane, bool minusW, const ClipPolygon& in, ClipPolygon& out) {
+bool clipAgainst(ClipArithmetic arithmetic, int plane, const ClipVolume& volume, const ClipPolygon& in, ClipPolygon& out) {
   switch (arithmetic) {
-    case ClipArithmetic::Exact: return clipAgainst<double>(plane, minusW, in, out, crossing<double>);
-    case ClipArithmetic::Float32Linear: return clipAgainst<float>(plane, minusW, in, out, crossing<float>);
-    case ClipArithmetic::Float32Weighted: return clipAgainst<float>(plane, minusW, in, out, weighted);
+    case ClipArithmetic::Exact: return clipAgainst<double>(plane, volume, in, out, crossing<double>);
+    case ClipArithmetic::Float32Linear: return clipAgainst<float>(plane, volume, in, out, crossing<float>);
+    case ClipArithmetic::Float32Weighted: return clipAgainst<float>(plane, volume, in, out, weighted);
   }
   return false;
 }
@@ -126,11 +129,11 @@ ClipVertex clipVertex(const ClipInput& input, const ClipVolume& volume, size_t c
 
 // The end of a line that is farther along on the inner side of every plane: its parameter from `base` to `other`.
 template <class T>
-void clipEnds(unsigned planes, bool minusW, ClipPolygon& line) {
+void clipEnds(unsigned planes, const ClipVolume& volume, ClipPolygon& line) {
   T t0 = 0, t1 = 0;
   for (int plane = 0; plane < kClipPlanes; ++plane) {
     if ((planes & (1U << plane)) == 0) continue;
-    const T d0 = distance<T>(line.vertices[0], plane, minusW), d1 = distance<T>(line.vertices[1], plane, minusW);
+    const T d0 = distance<T>(line.vertices[0], plane, volume), d1 = distance<T>(line.vertices[1], plane, volume);
     if (!std::isfinite(d0) || !std::isfinite(d1)) {
       line.size = 0;
       return;
@@ -199,7 +202,7 @@ ClipOutcome clipTriangle(std::span<const ClipInput, 3> triangle, ClipArithmetic 
   for (int step = 0; step < kClipPlanes && polygon.size >= 3; ++step) {
     const int plane = planeInOrder(arithmetic, step);
     if ((any & (1U << plane)) == 0) continue;
-    if (!clipAgainst(arithmetic, plane, volume.nearAtMinusW, polygon, other)) {
+    if (!clipAgainst(arithmetic, plane, volume, polygon, other)) {
       polygon.size = 0;
       return ClipOutcome::Cut;
     }
@@ -220,9 +223,9 @@ ClipOutcome clipLine(std::span<const ClipInput, 2> line, ClipArithmetic arithmet
     return ClipOutcome::Rejected;
   }
   if (arithmetic != ClipArithmetic::Exact) {
-    clipEnds<float>(first | second, volume.nearAtMinusW, polygon);
+    clipEnds<float>(first | second, volume, polygon);
   } else {
-    clipEnds<double>(first | second, volume.nearAtMinusW, polygon);
+    clipEnds<double>(first | second, volume, polygon);
   }
   if (volume.error != DeliberateError::None) mistakeClipped(polygon, volume.error, (first | second) >> kVolumePlanes != 0);
   return ClipOutcome::Cut;

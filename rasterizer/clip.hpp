@@ -20,6 +20,7 @@ struct ClipVertex {
   std::array<double, 4> error{};  ///< bound on a float32 clipper's deviation from `position`, per coordinate
   std::array<double, kMaxDistances> distances{};  ///< user clip distances, interpolated like smooth attributes
   bool made = false;              ///< by clipping
+  bool outlined = true;           ///< [choice:cut-outline] Flagged: its corner and the edge to the next vertex are drawn
 };
 
 inline constexpr int kVolumePlanes = 6;
@@ -38,6 +39,7 @@ struct ClipVolume {
   bool nearAtMinusW = false;  ///< near plane z = -w instead of z = 0
   bool nearAndFar = true;     ///< depth clipping is on. [vk:vertexpostproc-clipping] depthClipEnable / depthClampEnable
   uint32_t distances = 0;     ///< number of user clip distances
+  bool wideSides = false;     ///< [choice:point-clip] polygons are cut at twice the volume's width and height
   DeliberateError error = DeliberateError::None;
 };
 
@@ -48,6 +50,8 @@ struct ClipInput {
   ClipPosition position;
   std::span<const float> distances;  ///< ClipVolume::distances of them
 };
+
+inline constexpr unsigned kSideMask = 0xF;  ///< +x, -x, +y, -y
 
 /// Bit i set: outside plane i, in the order +x, -x, +y, -y, near, far, user distances.
 [[nodiscard]] unsigned outcode(const ClipInput& vertex, const ClipVolume& volume);

@@ -43,8 +43,8 @@ void lengthen(RasterVertex& b, const RasterVertex& a) {
 }  // namespace
 
 FigureMaker::FigureMaker(const Scene& scene, const Rules& rules, const Draw& draw, const VertexStage& stage,
-                         const ClipVolume& volume, PixelArea area, RuleCounts& counts)
-    : scene_(scene), rules_(rules), draw_(draw), stage_(stage), volume_(volume), area_(area), counts_(counts) {}
+                         const ClipVolume& volume, const DrawingRegion& region, RuleCounts& counts)
+    : scene_(scene), rules_(rules), draw_(draw), stage_(stage), volume_(volume), region_(region), counts_(counts) {}
 
 PointSize FigureMaker::pointSizeOf(uint32_t vertex) const {
   if (rules_.error == DeliberateError::PointSizeIgnored) return {};
@@ -55,12 +55,16 @@ bool FigureMaker::pointSurvives(const ClipInput& vertex) {
   const unsigned code = outcode(vertex, volume_);
   if (code == 0) return true;
   ++counts_[Rule::PointClip];
+  if (rules_.choices.pointClip == PointClip::SidesIgnored && scene_.furtherViewports.empty()) {
+    return (code & ~kSideMask) == 0 && vertex.position.w > 0 && std::isfinite(vertex.position.x) && std::isfinite(vertex.position.y);
+  }
   const bool onlyUserPlanes = rules_.limits.pointClippingBehavior == PointClippingBehavior::USER_CLIP_PLANES_ONLY;
   const bool ignored = onlyUserPlanes || rules_.error == DeliberateError::PointClipIgnored;
   return ignored && (code & ~kVolumeMask) == 0 && vertex.position.w > 0;
 }
 
-void FigureMaker::addPoint(Primitive& primitive, const ClipPosition& position, RasterVertex vertex, const PointSize& size) {
+void FigureMaker::addPoint(Primitive& primitive, const ClipVertex& clip, RasterVertex vertex, const PointSize& size,
+                           bool optional) {
   if (rules_.error == DeliberateError::PointRounded) {
     const auto centre = [](int32_t v) { return (v >> kSubpixelBits) * kSubpixelOne + kSubpixelOne / 2; };
     vertex.snapped = {centre(vertex.snapped.x), centre(vertex.snapped.y)};
@@ -70,7 +74,8 @@ void FigureMaker::addPoint(Primitive& primitive, const ClipPosition& position, R
   figure.kind = Figure::Kind::Point;
   figure.a = vertex;
   figure.size = size.nominal;
-  figure.shape = makePointShape(position, vertex, size, stage_);
+  figure.optional = optional;
+  figure.shape = makePointShape(rounded(clip), vertex, floatPosition(stage_, clip), size, stage_);
   primitive.figures.push_back(std::move(figure));
 }
 
@@ -87,7 +92,9 @@ void FigureMaker::makePoint(Primitive& primitive, const ClipInput& vertex) {
       return;
     }
   }
-  addPoint(primitive, vertex.position, raster, size);
+  ClipVertex clip;
+  clip.position = {vertex.position.x, vertex.position.y, vertex.position.z, vertex.position.w};
+  addPoint(primitive, clip, raster, size, false);
 }
 
 LineStyle FigureMaker::lineStyle() const {
@@ -96,7 +103,8 @@ LineStyle FigureMaker::lineStyle() const {
   style.mode = state.lineRasterizationMode;
   style.width = rules_.error == DeliberateError::LineWidthIgnored ? 1.0F : state.lineWidth;
   style.samples = scene_.target.samples;
-  style.area = area_;
+  style.area = region_.area;
+  style.leaky = region_.leaky;
   style.stipple.enabled = state.stippledLineEnable && rules_.error != DeliberateError::StippleIgnored;
   style.stipple.factor = state.lineStippleFactor;
   style.stipple.pattern = state.lineStipplePattern;
@@ -119,6 +127,7 @@ void FigureMaker::addLine(Primitive& primitive, const LineEnds& ends, bool ofPol
   figure.b = ends.b;
   figure.size = style.width;
   figure.optional = optional;
+  figure.cutsItself = rules_.choices.lineArithmetic == LineArithmetic::Float32Corners;
   figure.shape = makeLineShape(ends, style, rules_);
   if (style.stipple.enabled) {
     stipple_ = stippleAfter(ends, style, rules_);
@@ -159,18 +168,24 @@ void FigureMaker::makeLine(Primitive& primitive, const ClipInput& a, const ClipI
   addLine(primitive, ends, false, false);
 }
 
+PointSize FigureMaker::cornerSize(const Primitive& primitive, const RasterVertex& corner) const {
+  if (draw_.pointSizes.empty() || rules_.error == DeliberateError::PointSizeIgnored) return pointSizeOf(0);
+  double size = 0;
+  for (size_t k = 0; k < 3; ++k) size += corner.smoothWeights[k] * double{draw_.pointSizes[primitive.assembled.vertices[k]]};
+  return pointSize(static_cast<float>(size), rules_.limits);
+}
+
 void FigureMaker::makeOutline(Primitive& primitive, const ClipPolygon& polygon) {
   ++counts_[Rule::PolygonMode];
   stipple_ = {};
+  const bool flagged = rules_.choices.cutOutline == CutOutline::Flagged;
   const size_t n = primitive.polygon.size();
   const bool open = rules_.error == DeliberateError::LineModeOpen && scene_.state.polygonMode == PolygonMode::LINE;
   for (size_t i = 0; i < (open ? n - 1 : n); ++i) {
     const RasterVertex& a = primitive.polygon[i];
     if (scene_.state.polygonMode == PolygonMode::POINT) {
-      if (a.made) continue;
-      const ClipPosition position = rounded(polygon.vertices[i]);
-      const auto corner = static_cast<size_t>(std::max_element(a.smoothWeights.begin(), a.smoothWeights.end()) - a.smoothWeights.begin());
-      addPoint(primitive, position, a, pointSizeOf(primitive.assembled.vertices[corner]));
+      const bool wanted = flagged ? polygon.vertices[i].outlined : !a.made;
+      if (wanted || rules_.open) addPoint(primitive, polygon.vertices[i], a, cornerSize(primitive, a), !wanted);
       continue;
     }
     const RasterVertex& b = primitive.polygon[(i + 1) % n];
@@ -179,7 +194,8 @@ void FigureMaker::makeOutline(Primitive& primitive, const ClipPolygon& polygon) 
     ends.b = b;
     ends.floatA = floatPosition(stage_, polygon.vertices[i]);
     ends.floatB = floatPosition(stage_, polygon.vertices[(i + 1) % n]);
-    addLine(primitive, ends, true, primitive.cut && !onOriginalEdge(a, b));
+    const bool wanted = flagged ? polygon.vertices[i].outlined : !primitive.cut || onOriginalEdge(a, b);
+    if (wanted || rules_.open) addLine(primitive, ends, true, !wanted);
   }
 }
 

@@ -2,6 +2,7 @@
 // POINT. [vk:primsrast-points] [vk:primsrast-lines] [vk:primsrast-polygonmode]
 #pragma once
 
+#include "rasterizer/drawing_region.hpp"
 #include "rasterizer/geometry.hpp"
 #include "rasterizer/lines/line_style.hpp"
 #include "rasterizer/points/square_point.hpp"
@@ -12,7 +13,7 @@ namespace rasterdiff::rasterizer {
 class FigureMaker {
  public:
   FigureMaker(const Scene& scene, const Rules& rules, const Draw& draw, const VertexStage& stage, const ClipVolume& volume,
-              PixelArea area, RuleCounts& counts);
+              const DrawingRegion& region, RuleCounts& counts);
 
   /// Fills primitive.figures; none where nothing can be drawn.
   void makePoint(Primitive& primitive, const ClipInput& vertex);
@@ -22,9 +23,12 @@ class FigureMaker {
 
  private:
   [[nodiscard]] bool pointSurvives(const ClipInput& vertex);
-  void addPoint(Primitive& primitive, const ClipPosition& position, RasterVertex vertex, const PointSize& size);
+  void addPoint(Primitive& primitive, const ClipVertex& clip, RasterVertex vertex, const PointSize& size,
+                bool optional);
   void addLine(Primitive& primitive, const LineEnds& ends, bool ofPolygon, bool optional);
   [[nodiscard]] PointSize pointSizeOf(uint32_t vertex) const;
+  /// Sizes of a made corner are interpolated as any other output is.
+  [[nodiscard]] PointSize cornerSize(const Primitive& primitive, const RasterVertex& corner) const;
   [[nodiscard]] LineStyle lineStyle() const;
 
   const Scene& scene_;
@@ -32,7 +36,7 @@ class FigureMaker {
   const Draw& draw_;
   const VertexStage& stage_;
   const ClipVolume& volume_;
-  const PixelArea area_;
+  const DrawingRegion region_;
   RuleCounts& counts_;
   StippleCounter stipple_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "rasterizer/drawing_region.hpp"
 #include "rasterizer/figures.hpp"
 #include "rasterizer/piece_maker.hpp"
 #include "rasterizer/target_area.hpp"
@@ -18,16 +19,19 @@ class DrawGeometry {
         stage_(vertexStage(scene, rules, viewportIndex_)),
         volume_(clipVolume(scene.state, draw, rules.error)),
         pieceMaker_(scene.state, rules, counts),
-        figureMaker_(scene, rules, draw, stage_, volume_, targetArea(scene, viewportIndex_, rules.error), counts) {
+        figureMaker_(scene, rules, draw, stage_, volume_, drawingRegion(scene, viewportIndex_, rules), counts) {
     const Viewport& viewport = viewportOf(scene, viewportIndex_);
     const Viewport whole{0, 0, static_cast<float>(scene.target.width), static_cast<float>(scene.target.height), 0, 1};
     if (viewport != whole) counts_[Rule::ViewportMap] += draw.positions.size();
     for (uint32_t i = 0; i < draw.positions.size(); ++i) {
       if (draw.positions[i].w != 1) ++counts_[Rule::Division];
       outcodes_.push_back(outcode(input(i), volume_));
+      someClipped_ = someClipped_ || outcodes_.back() != 0;
       const ClipPosition& position = draw.positions[i];
       vertices_.push_back(outcodes_.back() == 0 && position.w > 0 ? stage_.original(position) : RasterVertex{});
     }
+    volume_.wideSides = rules.choices.pointClip == PointClip::SidesIgnored && scene.furtherViewports.empty() &&
+                        scene.state.polygonMode == PolygonMode::POINT;
     primitive_.draw = &draw;
     primitive_.viewport = stage_.viewport;
     primitive_.minDepth = viewport.minDepth;
@@ -108,6 +112,10 @@ class DrawGeometry {
       }
     }
     pieceMaker_.makePieces(primitive_);
+    if (!primitive_.cut) takeWholeAsClipped();
+    if (rules_.choices.cullPosition == CullPosition::AlsoFloat && someClipped_) {
+      for (SetupTriangle& piece : primitive_.pieces) piece.culled = piece.culled || culledInFloat(piece.corner, piece.flipped);
+    }
     if (scene_.state.polygonMode != PolygonMode::FILL && rules_.error != DeliberateError::PolygonModeIgnored) outline();
   }
 
@@ -140,6 +148,23 @@ class DrawGeometry {
     return true;
   }
 
+  void takeWholeAsClipped() {
+    clipped_.size = 3;
+    for (size_t i = 0; i < 3; ++i) {
+      const ClipPosition& p = primitive_.clip[i];
+      clipped_.vertices[i] = ClipVertex{};
+      clipped_.vertices[i].position = {p.x, p.y, p.z, p.w};
+    }
+  }
+
+  // Differences, products and their difference in float32, of positions before snapping.
+  [[nodiscard]] bool culledInFloat(const std::array<uint8_t, 3>& corner, bool flipped) const {
+    const auto at = [&](size_t k) { return floatPosition(stage_, clipped_.vertices[corner[k]]); };
+    const FloatPosition a = at(0), b = at(flipped ? 2 : 1), c = at(flipped ? 1 : 2);
+    const float ex = a.x - c.x, ey = a.y - c.y, fx = b.x - c.x, fy = b.y - c.y;
+    return pieceMaker_.isCulled(static_cast<double>(ex * fy - ey * fx));
+  }
+
   // [vk:primsrast-polygonmode] edges or corners of what clipping and culling left.
   void outline() {
     // [vk:primsrast-polygons-basic] without area it is back-facing.
@@ -153,17 +178,8 @@ class DrawGeometry {
       primitive_.frontFacing = true;
     }
     primitive_.pieces.clear();
-    if (!culled) {
-      if (!primitive_.cut) {
-        clipped_.size = 3;
-        for (size_t i = 0; i < 3; ++i) {
-          const ClipPosition& p = primitive_.clip[i];
-          clipped_.vertices[i] = ClipVertex{};
-          clipped_.vertices[i].position = {p.x, p.y, p.z, p.w};
-        }
-      }
-      figureMaker_.makeOutline(primitive_, clipped_);
-    }
+    const bool inFloat = rules_.choices.cullPosition == CullPosition::AlsoFloat;
+    if (!(inFloat ? culledInFloat({0, 1, 2}, false) : culled)) figureMaker_.makeOutline(primitive_, clipped_);
     primitive_.polygon.clear();
   }
 
@@ -174,13 +190,14 @@ class DrawGeometry {
   const PrimitiveVisitor& visit_;
   const uint32_t viewportIndex_;
   const VertexStage stage_;
-  const ClipVolume volume_;
+  ClipVolume volume_;
   const PieceMaker pieceMaker_;
   FigureMaker figureMaker_;
   Primitive primitive_;
   ClipPolygon clipped_;
   std::vector<RasterVertex> vertices_;  // of the draw, once each
   std::vector<unsigned> outcodes_;
+  bool someClipped_ = false;
 };
 
 }  // namespace

@@ -50,6 +50,7 @@ struct Figure {
   bool optional = false;  ///< the specification leaves open whether it is drawn; nominally it is not
   float size = 1;     ///< line width or point size, pixels, as the device draws it
   std::shared_ptr<const LineCoverage> solid;  ///< of a stippled line: what it would cover without its pattern
+  bool cutsItself = false;  ///< its shape covers nothing outside of the drawing region
 };
 
 struct Primitive {

@@ -20,11 +20,13 @@ TieRule tieRuleOf(const Rules& rules) {
 }  // namespace
 
 // [vk:primsrast-polygons-basic] facing is the sign of a = -doubleArea / 2; a zero area is back-facing.
-bool PieceMaker::isFront(int64_t area) const {
+bool PieceMaker::isFront(double area) const {
   const bool counterClockwise = area < 0;  // Vulkan's a > 0
   const bool clockwise = area > 0;
   return state_.frontFace == FrontFace::COUNTER_CLOCKWISE ? counterClockwise : clockwise;
 }
+
+bool PieceMaker::isCulled(double doubleArea) const { return culledBy(state_.cullMode, isFront(doubleArea)); }
 
 void PieceMaker::makePieces(Primitive& primitive) const {
   primitive.pieces.clear();
@@ -36,7 +38,7 @@ void PieceMaker::makePieces(Primitive& primitive) const {
     triangle.corner = {0, static_cast<uint8_t>(i - 1), static_cast<uint8_t>(i)};
     const auto at = [&](size_t k) { return primitive.polygon[triangle.corner[k]].snapped; };
     triangle.area = doubleArea(at(0), at(1), at(2));
-    triangle.frontFacing = isFront(triangle.area);
+    triangle.frontFacing = isFront(static_cast<double>(triangle.area));  // only its sign counts
     if (mistaken && triangle.area != 0) triangle.frontFacing = mistakenFacing(triangle.frontFacing, primitive, rules_.error);
     triangle.culled = culledBy(state_.cullMode, triangle.frontFacing);
     if (state_.cullMode == CullMode::FRONT || state_.cullMode == CullMode::BACK) ++counts_[Rule::Facing];

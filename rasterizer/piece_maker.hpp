@@ -13,8 +13,11 @@ class PieceMaker {
   /// Fills primitive.pieces from primitive.polygon. Pieces of zero area draw nothing.
   void makePieces(Primitive& primitive) const;
 
+  /// Is a triangle with this double area on the screen (y down, any unit) discarded by its facing?
+  [[nodiscard]] bool isCulled(double doubleArea) const;
+
  private:
-  [[nodiscard]] bool isFront(int64_t area) const;
+  [[nodiscard]] bool isFront(double area) const;
 
   const State& state_;
   const Rules& rules_;

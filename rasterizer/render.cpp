@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "rasterizer/choice_table.hpp"
+#include "rasterizer/drawing_region.hpp"
 #include "rasterizer/figure_rules.hpp"
 #include "rasterizer/frame_writer.hpp"
 #include "rasterizer/freedom_band.hpp"
@@ -29,12 +30,13 @@ class Renderer {
         open_(rules.open),
         spans_(pattern_.size()) {
     for (uint32_t index = 0; index <= scene.furtherViewports.size(); ++index) {
-      areas_.push_back(targetArea(scene, index, rules.error));
+      regions_.push_back(drawingRegion(scene, index, rules));
     }
   }
 
   void draw(const Primitive& primitive) {
-    area_ = areas_[primitive.viewportIndex];
+    region_ = regions_[primitive.viewportIndex];
+    area_ = region_.area;
     for (const SetupTriangle& piece : primitive.pieces) {
       if (piece.culled) continue;
       values_.setUp(primitive, piece);
@@ -50,16 +52,18 @@ class Renderer {
  private:
   // Returns the number of samples inside.
   uint64_t drawPiece(const Primitive& primitive, const SetupTriangle& piece) {
-    int32_t minY = primitive.polygon[piece.corner[0]].snapped.y, maxY = minY;
+    SubpixelPosition low = primitive.polygon[piece.corner[0]].snapped, high = low;
     for (const uint8_t corner : piece.corner) {
-      minY = std::min(minY, primitive.polygon[corner].snapped.y);
-      maxY = std::max(maxY, primitive.polygon[corner].snapped.y);
+      const SubpixelPosition& p = primitive.polygon[corner].snapped;
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
-    const int32_t first = std::max(minY >> kSubpixelBits, whole_.top);
-    const int32_t last = std::min(maxY >> kSubpixelBits, whole_.bottom - 1);
+    const auto pixel = [](int32_t v) { return v >> kSubpixelBits; };
+    const SampleArea writable = region_.of({pixel(low.x), pixel(low.y), pixel(high.x - 1), pixel(high.y - 1)});
+    const int32_t first = std::max(pixel(low.y), whole_.top);
+    const int32_t last = std::min(pixel(high.y), whole_.bottom - 1);
     uint64_t inside = 0, ties = 0;
     for (int32_t y = first; y <= last; ++y) {
-      const bool rowInside = y >= area_.top && y < area_.bottom;
       int64_t covered = 0;
       bool some = false, unequal = false;
       for (size_t s = 0; s < pattern_.size(); ++s) {
@@ -68,7 +72,8 @@ class Renderer {
         ties += static_cast<uint64_t>(row.ties);
         covered += row.covered.length();
         RowSpan& span = spans_[s];
-        span = rowInside ? RowSpan{std::max(row.covered.begin, area_.left), std::min(row.covered.end, area_.right)} : RowSpan{};
+        const RowSpan columns = writable.columns(y, pattern_[s]);
+        span = {std::max(row.covered.begin, columns.begin), std::min(row.covered.end, columns.end)};
         counts_[Rule::Scissor] += static_cast<uint64_t>(row.covered.length() - span.length());
         if (!span.empty()) counts_[Rule::HelperInvocation] += static_cast<uint64_t>((span.begin & 1) + (span.end & 1));
         some = some || !span.empty();
@@ -101,7 +106,7 @@ class Renderer {
 
   // Returns the number of samples inside.
   uint64_t drawFigurePixel(const Primitive& primitive, const Figure& figure, int32_t x, int32_t y) {
-    const bool inside = area_.contains(x, y);
+    const bool inside = figure.cutsItself || area_.contains(x, y);
     uint64_t samples = 0;
     for (uint32_t s = 0; s < pattern_.size(); ++s) {
       const int64_t px = int64_t{x} * kSubpixelOne + pattern_[s].x, py = int64_t{y} * kSubpixelOne + pattern_[s].y;
@@ -179,8 +184,9 @@ class Renderer {
   RuleCounts& counts_;
   const std::vector<SubpixelPosition> pattern_;
   const PixelArea whole_;
-  std::vector<PixelArea> areas_;  // by viewport
-  PixelArea area_;                // of the primitive being drawn
+  std::vector<DrawingRegion> regions_;  // by viewport
+  DrawingRegion region_;                // of the primitive being drawn
+  PixelArea area_;
   PieceValues values_;
   FrameWriter writer_;
   const bool open_;

@@ -37,6 +37,10 @@ Result<Rules> Rules::profile(std::string_view name, const Limits& limits) {
     rules.choices.snapOrigin = SnapOrigin::CentreAtOneSample;
     rules.choices.clipArithmetic = ClipArithmetic::Float32Linear;
     rules.choices.pointArithmetic = PointArithmetic::SnappedCentre;
+    rules.choices.pointClip = PointClip::SidesIgnored;
+    rules.choices.cutOutline = CutOutline::Flagged;
+    rules.choices.cullPosition = CullPosition::AlsoFloat;
+    rules.choices.drawingRegion = DrawingRegionRule::RoundedViewport;
     rules.choices.valuesOpen = true;
     rules.choices.lineArithmetic = LineArithmetic::Float32Corners;
     rules.choices.depthBiasUnit = DepthBiasUnit::TwoSteps;

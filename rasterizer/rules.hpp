@@ -73,8 +73,33 @@ enum class ClipArithmetic : uint8_t {
 /// [choice:point-arithmetic] how the square of a point is placed. [vk:primsrast-points]
 enum class PointArithmetic : uint8_t {
   Exact,          ///< around the unrounded vertex
-  SnappedCentre,  ///< around the snapped vertex, its side in whole subpixels and at least one pixel
+  SnappedCentre,  ///< around the float32 vertex snapped (halves away from zero), its side in whole subpixels and at least one pixel
   ClipCorners,    ///< corners made in clip space in float32, cut at the view volume's sides, each snapped like a vertex
+};
+
+/// [choice:point-clip] which points outside of the view volume are drawn. [vk:vertexpostproc-clipping]
+enum class PointClip : uint8_t {
+  Volume,        ///< as the device advertises
+  SidesIgnored,  ///< with one viewport, sides do not count: not for points, and corners of polygons are cut at twice the volume
+};
+
+/// [choice:cut-outline] which edges and corners of a cut polygon polygon modes LINE and POINT draw.
+/// [vk:primsrast-polygonmode]
+enum class CutOutline : uint8_t {
+  Original,  ///< those of the triangle as it was
+  Flagged,   ///< also edges along clip distances, and the corner where the outline comes back inside
+};
+
+/// [choice:cull-position] which positions a triangle's facing is culled by. [vk:primsrast-polygons-basic]
+enum class CullPosition : uint8_t {
+  Snapped,
+  AlsoFloat,  ///< by those in float32 alone for outlines; by both where some vertex of the draw had to be clipped
+};
+
+/// [choice:drawing-region] which samples a draw may write at all. [vk:fragops-scissor]
+enum class DrawingRegionRule : uint8_t {
+  Scissor,           ///< those inside of the scissor
+  RoundedViewport,   ///< only in whole pixels of the first viewport; leaky borders at several samples
 };
 
 /// [choice:line-arithmetic] how the outline of a line is placed. [vk:primsrast-lines-basic]
@@ -153,6 +178,10 @@ struct Choices {
   TieWinding tieWinding = TieWinding::Same;
   ClipArithmetic clipArithmetic = ClipArithmetic::Exact;
   PointArithmetic pointArithmetic = PointArithmetic::Exact;
+  PointClip pointClip = PointClip::Volume;
+  CutOutline cutOutline = CutOutline::Original;
+  CullPosition cullPosition = CullPosition::Snapped;
+  DrawingRegionRule drawingRegion = DrawingRegionRule::Scissor;
   LineArithmetic lineArithmetic = LineArithmetic::Exact;
   DiamondExit diamondExit = DiamondExit::Vulkan;
   DepthBiasUnit depthBiasUnit = DepthBiasUnit::OneStep;

@@ -27,6 +27,7 @@ Examples:
   rasterdiff check 'mesh/*' --driver swiftshader --rules spec
   rasterdiff check my.scene.json --dump planes
   rasterdiff check 'random/*' --count 1000000 --seed 7
+  rasterdiff check 'random*/*' --count 100000          points, lines, strips, edges, cuts … of each kind
   rasterdiff check --driver mutant:truncating-snap     is this deliberate error caught?
   rasterdiff check --driver legal:7 --rules spec       is this random legal renderer let through?
   rasterdiff check --shard 2/8 --junit shard2.xml      one of eight machines)";
@@ -149,7 +150,7 @@ void addCheck(CLI::App& app, CheckOptions& options) {
       ->type_name("K/N");
   verb->add_option("--jobs", options.jobs, "Worker processes (0: one a core)")->check(CLI::Range(0U, 256U));
   verb->add_option("--count", options.count,
-                   "Random triangles, shared out over the selected random/* families in whole batches of 500")
+                   "Random primitives of each kind (random, random-lines, …), shared out over its selected families in batches of 500")
       ->check(CLI::Range(uint64_t{1}, uint64_t{1} << 40));
   verb->add_option("--seed", options.seed, "Seed of --count")
       ->check(CLI::Range(uint64_t{0}, uint64_t{1} << 32))

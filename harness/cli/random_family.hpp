@@ -6,14 +6,15 @@
 #include <string_view>
 
 #include "harness/cli/selection.hpp"
+#include "scene/catalogue/catalogue.hpp"
 
 namespace rasterdiff::harness::cli {
 
-/// random/{half,sixteenth,256th,free}-{1x,4x}-{w1,persp}
-[[nodiscard]] bool isRandomFamily(std::string_view name);
+/// The catalogue's entry if `name` is a random family, else null.
+[[nodiscard]] const CatalogueEntry* randomFamily(std::string_view name);
 
-/// kBatchTriangles triangles of the family of `job`, counted in its entry.
-[[nodiscard]] Job batchOf(const Job& job, uint64_t seed);
+/// kBatchPrimitives primitives of a random family, counted in its entry.
+[[nodiscard]] Job batchOf(const CatalogueEntry& family, uint64_t seed);
 
 /// "random/half-1x-w1@7000003". Error: BadInput.
 [[nodiscard]] Result<Job> batchByAddress(const std::string& address);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <set>
 #include <string_view>
@@ -87,29 +88,34 @@ Result<std::vector<Job>> jobsOfWord(const std::string& word) {
   return fail(ErrorCode::BadInput, "SCENE", fmt::format("no scene is named '{}'{}", word, nearest(word)), kList);
 }
 
-/// The random families of the selection become batches of random triangles, the count shared out evenly.
+/// The random families of the selection become batches; every kind ("random-lines") gets the count, shared out evenly.
 Result<std::vector<Job>> withBatches(std::vector<Job> jobs, const RandomCount& count) {
-  const auto families = static_cast<uint64_t>(
-      std::count_if(jobs.begin(), jobs.end(), [](const Job& job) { return isRandomFamily(job.id); }));
-  if (families == 0) {
+  const auto kindOf = [](const Job& job) { return job.id.substr(0, job.id.find('/')); };
+  std::vector<const CatalogueEntry*> families;
+  std::map<std::string, uint64_t> familiesOfKind;
+  for (const Job& job : jobs) {
+    families.push_back(randomFamily(job.id));
+    if (families.back() != nullptr) ++familiesOfKind[kindOf(job)];
+  }
+  if (familiesOfKind.empty()) {
     return fail(ErrorCode::BadInput, "--count", "no random family is selected",
                 "rasterdiff check 'random/*' --count 1000000");
   }
-  const uint64_t shared = families * kBatchTriangles;
-  const uint64_t batches = (count.triangles + shared - 1) / shared;
   constexpr uint64_t kMostJobs = 10'000'000;
-  if (batches > kMostJobs / families) {
+  if (count.primitives / kBatchPrimitives > kMostJobs / familiesOfKind.size()) {
     return fail(ErrorCode::BadInput, "--count", fmt::format("more than {} scenes", kMostJobs),
                 "use several runs with different --seed");
   }
   std::vector<Job> all;
   uint64_t number = 0;
-  for (Job& job : jobs) {
-    if (!isRandomFamily(job.id)) {
-      all.push_back(std::move(job));
+  for (size_t i = 0; i < jobs.size(); ++i) {
+    if (families[i] == nullptr) {
+      all.push_back(std::move(jobs[i]));
       continue;
     }
-    for (uint64_t batch = 0; batch < batches; ++batch) all.push_back(batchOf(job, count.seed * kMostJobs + number++));
+    const uint64_t shared = familiesOfKind[kindOf(jobs[i])] * kBatchPrimitives;
+    const uint64_t batches = (count.primitives + shared - 1) / shared;
+    for (uint64_t b = 0; b < batches; ++b) all.push_back(batchOf(*families[i], count.seed * kMostJobs + number++));
   }
   return all;
 }

@@ -1,5 +1,5 @@
 // From the words on the command line to scenes: catalogue names and globs, scene files, folders of them, batches of
-// random triangles. Files are read (and refused) here, before any work starts; catalogue scenes are made when needed.
+// random primitives. Files are read (and refused) here, before any work starts; catalogue scenes are made when needed.
 #pragma once
 
 #include <cstdint>
@@ -24,10 +24,10 @@ struct Job {
 };
 
 struct RandomCount {
-  uint64_t triangles = 0;  ///< over all selected random families; rounded up to whole batches of kBatchTriangles
+  uint64_t primitives = 0;  ///< of each selected kind (random, random-lines, …), shared out over its families in whole batches
   uint64_t seed = 1;
 };
-inline constexpr uint32_t kBatchTriangles = 500;
+inline constexpr uint32_t kBatchPrimitives = 500;
 
 /// The scene as it is drawn: made, checked, and enlarged if it wants supersampling.
 [[nodiscard]] Result<Scene> drawable(const Job& job);

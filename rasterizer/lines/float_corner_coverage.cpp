@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "rasterizer/drawing_region.hpp"
 #include "rasterizer/lines/line_coverage.hpp"
 #include "rasterizer/lines/tile_binning.hpp"
 
@@ -13,6 +14,7 @@ namespace {
 struct Outline {
   std::array<EdgeFunction, 4> edges;
   PixelArea seen;
+  SampleArea writable;
 };
 
 class FloatCornerCoverage final : public LineCoverage {
@@ -23,12 +25,14 @@ class FloatCornerCoverage final : public LineCoverage {
   bool covers(int64_t px, int64_t py, bool& tie) const override {
     tie = false;
     const int64_t x = px >> kSubpixelBits, y = py >> kSubpixelBits;
+    const SubpixelPosition offset{static_cast<int32_t>(px & (kSubpixelOne - 1)), static_cast<int32_t>(py & (kSubpixelOne - 1))};
     if (!atSamples_) {
       px = x * kSubpixelOne + kSubpixelOne / 2;
       py = y * kSubpixelOne + kSubpixelOne / 2;
     }
     bool covered = false;
     for (const Outline& outline : outlines_) {
+      if (!outline.writable.contains(static_cast<int32_t>(x), static_cast<int32_t>(y), offset)) continue;
       if (atSamples_ && !outline.seen.contains(static_cast<int32_t>(x), static_cast<int32_t>(y))) continue;
       bool inside = true, touched = true, onEdge = false;
       for (const EdgeFunction& edge : outline.edges) {
@@ -103,6 +107,7 @@ std::unique_ptr<LineCoverage> floatCornerCoverage(const LineEnds& ends, const Li
       edge.ownsTies = (edge.dx != 0 || edge.dy != 0) && ownsLineTies(rules, edge.dx, edge.dy);
     }
     if (multisampled) outline.seen = binnedArea(*corners, style.area);
+    outline.writable = DrawingRegion{style.area, style.leaky && multisampled}.of(cornersInside(*corners));
     outlines.push_back(outline);
   }
   if (outlines.empty()) return nullptr;

@@ -15,9 +15,6 @@ int32_t roundAway(float value) {
 
 int32_t snapAway(float pixels) { return roundAway(static_cast<float>(kSubpixelOne) * pixels); }
 
-/// Snaps pixels - origin and puts the origin back.
-int32_t snapFrom(float origin, float pixels) { return snapAway(pixels - origin) + roundAway(origin * kSubpixelOne); }
-
 bool isPositive(float value) { return value >= 0; }
 
 /// Distance from the centre of the pixel, in pixels: -½ ≤ d < ½ (½ after rounding).
@@ -76,6 +73,8 @@ float screenLength(FloatPosition a, FloatPosition b, bool rectangular) {
 float between(float from, float to, float t) { return from + t * (to - from); }
 
 }  // namespace
+
+int32_t snapFrom(float origin, float pixels) { return snapAway(pixels - origin) + roundAway(origin * kSubpixelOne); }
 
 std::optional<LineOutline> rectangularOutline(FloatPosition a, FloatPosition b, float width, float origin) {
   const float dx = a.x - b.x, dy = a.y - b.y;

@@ -13,7 +13,11 @@ namespace rasterdiff::rasterizer {
 /// Positively oriented where it encloses anything (a shortened Bresenham line may turn inside out: it covers nothing).
 using LineOutline = std::array<SubpixelPosition, 4>;
 
-/// `origin` (0 or half a pixel) is subtracted in float32 before snapping and added again after it.
+/// pixels - origin (0 or half a pixel), subtracted in float32, to the nearest 1/256 pixel, halves away from zero; the
+/// origin is added again after it.
+[[nodiscard]] int32_t snapFrom(float origin, float pixels);
+
+/// `origin` as in snapFrom.
 /// None for a line of zero length.
 [[nodiscard]] std::optional<LineOutline> rectangularOutline(FloatPosition a, FloatPosition b, float width,
                                                             float origin);

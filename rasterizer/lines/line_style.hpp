@@ -46,7 +46,8 @@ struct LineStyle {
   uint32_t samples = 1;    ///< of the target
   LineStipple stipple;     ///< not for parallelograms, which Vulkan forbids to stipple
   bool ofPolygon = false;  ///< an edge of a triangle in polygon mode LINE
-  PixelArea area;          ///< target cut by the scissor; matters to LineArithmetic::Float32Corners only
+  PixelArea area;          ///< the drawing region; matters to LineArithmetic::Float32Corners only
+  bool leaky = false;      ///< of the drawing region
 };
 
 enum class LineKind : uint8_t { Rectangle, Parallelogram, Bresenham };

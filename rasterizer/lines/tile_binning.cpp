@@ -26,10 +26,16 @@ Interval tilesOf(Interval box, Interval region) {
 
 }  // namespace
 
-PixelArea binnedArea(const LineOutline& outline, const PixelArea& region) {
+PixelBox cornersInside(const LineOutline& outline) {
   const auto [left, right] = std::minmax({outline[0].x, outline[1].x, outline[2].x, outline[3].x});
   const auto [top, bottom] = std::minmax({outline[0].y, outline[1].y, outline[2].y, outline[3].y});
   const Interval x = cornersBetween(left, right), y = cornersBetween(top, bottom);
+  return {x.first, y.first, x.last, y.last};
+}
+
+PixelArea binnedArea(const LineOutline& outline, const PixelArea& region) {
+  const PixelBox box = cornersInside(outline);
+  const Interval x{box.left, box.right}, y{box.top, box.bottom};
   const Interval regionX{region.left, region.right - 1}, regionY{region.top, region.bottom - 1};
   if (!x.meets(regionX) || !y.meets(regionY)) return {};
   const Interval seenX = tilesOf(x, regionX), seenY = tilesOf(y, regionY);

@@ -4,9 +4,13 @@
 // part lies in another tile. [choice:line-arithmetic]
 #pragma once
 
+#include "rasterizer/drawing_region.hpp"
 #include "rasterizer/lines/float_corners.hpp"
 
 namespace rasterdiff::rasterizer {
+
+/// Pixels whose upper left corner lies in the outline's bounding box.
+[[nodiscard]] PixelBox cornersInside(const LineOutline& outline);
 
 /// Whole tiles. `region`: the target cut by the scissor. Empty (right ≤ left) where the line is dropped altogether.
 [[nodiscard]] PixelArea binnedArea(const LineOutline& outline, const PixelArea& region);

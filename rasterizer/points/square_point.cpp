@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rasterizer/lines/float_corners.hpp"
+
 namespace rasterdiff::rasterizer {
 namespace {
 
@@ -86,20 +88,21 @@ PointSize pointSize(float size, const Limits& limits) {
   return result;
 }
 
-std::unique_ptr<Shape> makePointShape(const ClipPosition& position, const RasterVertex& vertex, const PointSize& size,
-                                      const VertexStage& stage) {
+std::unique_ptr<Shape> makePointShape(const ClipPosition& position, const RasterVertex& vertex, FloatPosition centre,
+                                      const PointSize& size, const VertexStage& stage) {
   // Half sides in 1/256 pixel, on the grid that ceilingExactly takes.
   const auto halfSide = [](float side) { return std::nearbyint(double{side} * 128 * 1024) / 1024; };
   const double half = halfSide(size.nominal);
-  const auto axis = [&](float coordinate, const ViewportAxis& viewportAxis, double place, int32_t snapped, int32_t lowest,
-                        int32_t highest, bool ownsLow) {
+  const auto axis = [&](float coordinate, const ViewportAxis& viewportAxis, double place, float inFloat, int32_t snapped,
+                        int32_t lowest, int32_t highest, bool ownsLow) {
     SquarePoint::Axis result;
     result.low = place * kSubpixelOne - half;
     result.high = place * kSubpixelOne + half;
     if (stage.rules.choices.pointArithmetic == PointArithmetic::SnappedCentre) {
       // The centre snapped like a vertex, the side in whole subpixels and at least a pixel, its half rounded down.
       const auto side = std::max<int64_t>(kSubpixelOne, static_cast<int64_t>(std::nearbyint(double{size.requested} * kSubpixelOne)));
-      result.nominal = {snapped - side / 2, snapped - side / 2 + side};
+      const int64_t low = snapFrom(stage.samples == 1 ? 0.5F : 0.0F, inFloat) - side / 2;
+      result.nominal = {low, low + side};
       result.low = static_cast<double>(result.nominal.low);
       result.high = static_cast<double>(result.nominal.high);
     } else if (stage.rules.choices.pointArithmetic == PointArithmetic::ClipCorners) {
@@ -120,8 +123,10 @@ std::unique_ptr<Shape> makePointShape(const ClipPosition& position, const Raster
   };
   const TieRule ties = tieRule(stage.rules.choices);
   return std::make_unique<SquarePoint>(
-      axis(position.x, stage.viewport.x, vertex.position.x, vertex.snapped.x, vertex.lowest.x, vertex.highest.x, ownsTies(ties, 0, -1)),
-      axis(position.y, stage.viewport.y, vertex.position.y, vertex.snapped.y, vertex.lowest.y, vertex.highest.y, ownsTies(ties, 1, 0)));
+      axis(position.x, stage.viewport.x, vertex.position.x, centre.x, vertex.snapped.x, vertex.lowest.x, vertex.highest.x,
+           ownsTies(ties, 0, -1)),
+      axis(position.y, stage.viewport.y, vertex.position.y, centre.y, vertex.snapped.y, vertex.lowest.y, vertex.highest.y,
+           ownsTies(ties, 1, 0)));
 }
 
 }  // namespace rasterdiff::rasterizer

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "rasterizer/lines/line_style.hpp"
 #include "rasterizer/shape.hpp"
 #include "rasterizer/vertex_stage.hpp"
 
@@ -18,7 +19,8 @@ struct PointSize {
 [[nodiscard]] PointSize pointSize(float size, const Limits& limits);
 
 /// The square of a point with a vertex inside the view volume.
-[[nodiscard]] std::unique_ptr<Shape> makePointShape(const ClipPosition& position, const RasterVertex& vertex, const PointSize& size,
-                                                    const VertexStage& stage);
+/// `centre`: the vertex in float32 framebuffer coordinates, for PointArithmetic::SnappedCentre.
+[[nodiscard]] std::unique_ptr<Shape> makePointShape(const ClipPosition& position, const RasterVertex& vertex, FloatPosition centre,
+                                                    const PointSize& size, const VertexStage& stage);
 
 }  // namespace rasterdiff::rasterizer

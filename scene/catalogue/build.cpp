@@ -16,7 +16,7 @@ void Family::addFallible(const std::string& name, std::string what, std::vector<
     if (auto ok = validate(*scene); !ok) return tl::unexpected(ok.error());
     return scene;
   };
-  entries_.push_back({std::move(full), std::move(what), std::move(rules), std::move(link), std::move(named)});
+  entries_.push_back({std::move(full), std::move(what), std::move(rules), std::move(link), std::move(named), {}});
 }
 
 void Family::add(const std::string& name, std::string what, std::vector<std::string> rules, std::function<Scene()> make,
@@ -24,6 +24,16 @@ void Family::add(const std::string& name, std::string what, std::vector<std::str
   addFallible(
       name, std::move(what), std::move(rules), [make = std::move(make)]() -> Result<Scene> { return make(); },
       std::move(link));
+}
+
+void Family::addRandom(const std::string& name, std::string what, std::vector<std::string> rules, uint64_t seed,
+                       uint32_t primitives, std::function<Scene(uint64_t, uint32_t)> make) {
+  add(name, std::move(what), std::move(rules), [seed, primitives, make] { return make(seed, primitives); });
+  entries_.back().remake = [full = entries_.back().name, make = std::move(make)](uint64_t s, uint32_t n) -> Result<Scene> {
+    Scene scene = make(s, n);
+    scene.name = full;
+    return scene;
+  };
 }
 
 Scene target(uint32_t width, uint32_t height, uint32_t samples) {

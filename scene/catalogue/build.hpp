@@ -27,6 +27,9 @@ class Family {
            std::string link = {});
   void addFallible(const std::string& name, std::string what, std::vector<std::string> rules,
                    std::function<Result<Scene>()> make, std::string link = {});
+  /// A random family: `make(seed, primitives)` gives another scene of its kind for every seed.
+  void addRandom(const std::string& name, std::string what, std::vector<std::string> rules, uint64_t seed,
+                 uint32_t primitives, std::function<Scene(uint64_t seed, uint32_t primitives)> make);
 
  private:
   Entries& entries_;
@@ -106,5 +109,9 @@ void addSupersample(Entries& entries);
 void addRandomLines(Entries& entries);
 void addRandomPoints(Entries& entries);
 void addCrowd(Entries& entries);
+void addRandomStrips(Entries& entries);
+void addRandomOutlines(Entries& entries);
+void addRandomCuts(Entries& entries);
+void addRandomDepth(Entries& entries);
 
 }  // namespace rasterdiff::families

@@ -19,6 +19,7 @@ std::vector<CatalogueEntry> collect() {
         f::addDepthPrecision, f::addClipDistance, f::addCullDistance, f::addViewports,    f::addSampleMask,
         f::addSampleShading, f::addCentroid,      f::addOffset,       f::addAlphaToCoverage, f::addBuiltIns,
         f::addResolve,       f::addSupersample,   f::addCrowd,        f::addRandom,       f::addRandomLines,  f::addRandomPoints,
+        f::addRandomStrips,  f::addRandomOutlines, f::addRandomCuts,  f::addRandomDepth,
         f::addMesh}) {
     add(entries);
   }

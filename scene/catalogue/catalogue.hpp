@@ -1,6 +1,7 @@
 // The built-in scenes: named, findable by glob, each with the rules it exercises.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -18,6 +19,8 @@ struct CatalogueEntry {
   std::vector<std::string> rules;  ///< ids of docs/rules.md: "R15"
   std::string link;                ///< the real-world report it comes from, or empty
   std::function<Result<Scene>()> make;
+  /// Random families: the same kind of scene from another seed, with at least so many primitives. Null for all others.
+  std::function<Result<Scene>(uint64_t seed, uint32_t primitives)> remake{};
 };
 
 /// All built-in scenes in a fixed order.

@@ -62,6 +62,21 @@ void addPolygonMode(Entries& entries) {
     drawClip(scene, {{-2, -0.5f, 0.5f, 1}, {0.75f, -0.75f, 0.5f, 1}, {0.25f, 1.75f, 0.5f, 1}});
     return scene;
   });
+  family.add("corner-outside", "a corner outside of a side plane is cut off, however large its point", {"R7", "R34"}, [] {
+    Scene scene = square(32);
+    scene.state.polygonMode = POINT;
+    scene.state.pointSize = 7;
+    drawClip(scene, {{-1.0625f, 0.25f, 0.5f, 1}, {0.5f, -0.75f, 0.5f, 1}, {0.5f, 0.5f, 0.5f, 1}});
+    return scene;
+  });
+  family.add("near-cut", "edges and corners where the near plane and a distance cut", {"R3", "R5", "R34"}, [] {
+    Scene scene = square(64);
+    scene.state.polygonMode = LINE;
+    Draw& d = drawClip(scene, {{-0.8f, -0.5f, -0.5f, 1}, {0.75f, -0.75f, 0.5f, 1}, {0.25f, 0.75f, 0.5f, 1}});
+    d.clipDistanceCount = 1;
+    d.clipDistances = {1, 1, -0.5f};
+    return scene;
+  });
   family.add("shared-edge", "the shared edge of two triangles is drawn twice", {"R34", "R50"}, [] {
     Scene scene = square(32);
     scene.state.polygonMode = LINE;

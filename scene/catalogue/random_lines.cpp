@@ -19,7 +19,7 @@ void addRandomLines(Entries& entries) {
       for (const Kind& kind :
            {Kind{"", Grid::Sixteenth, 1}, Kind{"-free", Grid::Free, 1}, Kind{"-wide", Grid::Sixteenth, 3.5f},
             Kind{"-free-wide", Grid::Free, 6}}) {
-        const RandomLines options{
+        RandomLines options{
             .seed = ++seed,
             .grid = kind.grid,
             .samples = samples,
@@ -28,8 +28,13 @@ void addRandomLines(Entries& entries) {
         std::vector<std::string> rules{"R50", bresenham ? "R29" : "R27"};
         if (bresenham && kind.width != 1) rules.push_back("R30");
         if (bresenham && samples > 1) rules.push_back("R31");
-        family.add(fmt::format("{}-{}x{}", bresenham ? "bresenham" : "rect", samples, kind.suffix),
-                   "400 lines in all directions", std::move(rules), [options] { return randomLines(options); });
+        family.addRandom(fmt::format("{}-{}x{}", bresenham ? "bresenham" : "rect", samples, kind.suffix),
+                         "400 lines in all directions", std::move(rules), options.seed, 400,
+                         [options](uint64_t s, uint32_t lines) mutable {
+                           options.seed = s;
+                           options.lines = lines;
+                           return randomLines(options);
+                         });
       }
     }
   }

@@ -17,13 +17,17 @@ void addRandomPoints(Entries& entries) {
   for (const uint32_t samples : {1u, 4u}) {
     for (const Kind& kind : {Kind{"", Grid::Sixteenth, 1, 1}, Kind{"-mixed", Grid::Sixteenth, 0.5f, 16},
                              Kind{"-free", Grid::Free, 1, 1}, Kind{"-free-mixed", Grid::Free, 0.5f, 16}}) {
-      const RandomPoints options{.seed = ++seed,
+      RandomPoints options{.seed = ++seed,
                                  .grid = kind.grid,
                                  .samples = samples,
                                  .smallest = kind.smallest,
                                  .largest = kind.largest};
-      family.add(fmt::format("{}x{}", samples, kind.suffix), "400 points, many on pixel centres and edges",
-                 {"R25", "R50"}, [options] { return randomPoints(options); });
+      family.addRandom(fmt::format("{}x{}", samples, kind.suffix), "400 points, many on pixel centres and edges",
+                       {"R25", "R50"}, options.seed, 400, [options](uint64_t s, uint32_t points) mutable {
+                         options.seed = s;
+                         options.points = points;
+                         return randomPoints(options);
+                       });
     }
   }
 }

@@ -68,6 +68,24 @@ void addViewport(Entries& entries) {
                return scene;
              });
   family.add("thin", "a viewport below one pixel high", rules, [] { return under({0, 10.25f, 64, 0.5f, 0, 1}); });
+  family.add("fraction-4x", "at four samples the last pixel's left samples are inside of the viewport", {"R2", "R14"}, [] {
+    return under({4.25f, 5.25f, 49.25f, 38.25f, 0, 1}, 4);
+  });
+  family.add("point-over-border", "the viewport does not cut points: their vertices are inside", {"R2", "R7", "R25"}, [] {
+    Scene scene = square(32);
+    usePoints(scene, 6);
+    scene.viewport = {8, 8, 16, 16, 0, 1};
+    draw(scene, {{9.5, 9.5}, {23.5, 16.5}, {16.5, 22.5}, {16.5, 14.5}});
+    return scene;
+  });
+  family.add("line-over-border", "the viewport does not cut the width of lines: their ends are inside", {"R2", "R8", "R27"},
+             [] {
+               Scene scene = square(32);
+               useLines(scene, LineRasterizationMode::RECTANGULAR, 5);
+               scene.viewport = {8, 8, 16, 16, 0, 1};
+               draw(scene, {{9.5, 8.5}, {22.5, 8.5}, {23.5, 10.5}, {22.5, 23.25}});
+               return scene;
+             });
   family.add("depth-half", "a depth range inside 0..1", {"R2", "R22"}, [] { return withDepthRange(0.25f, 0.5f); });
   family.add(
       "depth-reversed", "minDepth above maxDepth", {"R2", "R22", "R38"}, [] { return withDepthRange(1, 0); },

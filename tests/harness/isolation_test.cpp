@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <map>
+
 #include "tests/harness/program.hpp"
 
 namespace rasterdiff::test {
@@ -104,6 +106,20 @@ TEST(Isolation, BatchesOfOneFamilyAreOneEntry) {
     EXPECT_EQ(scene.at("primitives"), 2000);
   }
   EXPECT_EQ(run.json.at("totals").at("primitives"), 4000);
+}
+
+TEST(Isolation, EveryKindOfRandomPrimitivesGetsTheCount) {
+  const Checked run = check({"random/half-*", "random-points/1x", "random-points/4x", "random-strips/fan-1x-w1", "--driver",
+                             "fault:crash=nothing", "--count", "1000"});
+  EXPECT_EQ(run.outcome.status, 0) << run.outcome.err;
+  std::map<std::string, uint64_t> primitives;
+  for (const auto& scene : run.json.at("scenes")) {
+    const std::string id = scene.at("id");
+    primitives[id.substr(0, id.find('/'))] += scene.at("primitives").get<uint64_t>();
+  }
+  EXPECT_EQ(primitives["random"], 2000U);         // four families share it, in whole batches of 500
+  EXPECT_EQ(primitives["random-points"], 1000U);  // two
+  EXPECT_GE(primitives["random-strips"], 1000U);  // one; runs are not cut short
 }
 
 TEST(Isolation, ADifferenceInABatchIsExplainedByItsAddress) {

@@ -255,5 +255,40 @@ TEST(Clip, TriangleWhollyBehindTheEyeIsGone) {
   EXPECT_LT(clipped.vertices.size(), 3U);
 }
 
+TEST(Clip, EdgesAlongTheVolumeAreNotOutlinedAndThoseAlongDistancesAre) {
+  // The first vertex is outside of the near plane, then of a distance: new vertices where the outline leaves and returns.
+  ClipVolume volume;
+  volume.distances = 1;
+  const float inside = 1, outside = -1;
+  const auto outlined = [&](const Triangle& t, float first) {
+    const std::array<ClipInput, 3> input{ClipInput{t[0], {&first, 1}}, ClipInput{t[1], {&inside, 1}}, ClipInput{t[2], {&inside, 1}}};
+    ClipPolygon polygon;
+    EXPECT_EQ(clipTriangle(input, ClipArithmetic::Exact, volume, polygon), ClipOutcome::Cut);
+    std::vector<std::pair<bool, bool>> flags;
+    for (int i = 0; i < polygon.size; ++i) {
+      const ClipVertex& v = polygon.vertices[static_cast<size_t>(i)];
+      flags.emplace_back(v.made, v.outlined);
+    }
+    return flags;
+  };
+  using Flags = std::vector<std::pair<bool, bool>>;
+  const Triangle beforeNear{{{0, 0, -0.5F, 1}, {0.5F, 0, 0.5F, 1}, {0, 0.5F, 0.5F, 1}}};
+  EXPECT_EQ(outlined(beforeNear, inside), (Flags{{true, true}, {false, true}, {false, true}, {true, false}}));
+  const Triangle within{{{0, 0, 0.5F, 1}, {0.5F, 0, 0.5F, 1}, {0, 0.5F, 0.5F, 1}}};
+  EXPECT_EQ(outlined(within, outside), (Flags{{true, true}, {false, true}, {false, true}, {true, true}}));
+}
+
+TEST(Clip, WideSidesCutAtTwiceTheVolume) {
+  ClipVolume volume;
+  volume.wideSides = true;
+  const std::array<ClipInput, 3> input{ClipInput{{-3, 0, 0.5F, 1}, {}}, ClipInput{{0.5F, -0.5F, 0.5F, 1}, {}},
+                                       ClipInput{{0.5F, 0.5F, 0.5F, 1}, {}}};
+  ClipPolygon polygon;
+  ASSERT_EQ(clipTriangle(input, ClipArithmetic::Exact, volume, polygon), ClipOutcome::Cut);
+  ASSERT_EQ(polygon.size, 4);
+  EXPECT_EQ(polygon.vertices[0].position[0], -2);
+  EXPECT_EQ(polygon.vertices[3].position[0], -2);
+}
+
 }  // namespace
 }  // namespace rasterdiff::rasterizer
