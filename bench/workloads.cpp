@@ -2,6 +2,7 @@
 #include "bench/workloads.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -141,18 +142,37 @@ Result<Workload> meshTriangles(std::string name, const std::string& objFile, dou
   return load;
 }
 
-Result<std::vector<Workload>> builtInWorkloads(const std::string& objFile, double scale, uint32_t width, uint32_t height) {
+std::span<const std::string_view> builtInNames() {
+  static constexpr std::string_view kNames[] = {"W1", "W2", "W3", "W4a", "W4b", "W5"};
+  return kNames;
+}
+
+Result<Workload> builtInWorkload(std::string_view name, const std::string& objFile, double scale, uint32_t width,
+                                 uint32_t height) {
   const auto scaled = [&](double count) { return static_cast<size_t>(std::max(1.0, count * scale)); };
-  std::vector<Workload> all;
-  all.push_back(randomTriangles("W1", scaled(1e6), 10, width, height));
-  all.push_back(randomTriangles("W2", scaled(1e5), 1000, width, height));
-  all.push_back(randomTriangles("W3", scaled(1e3), 500000, width, height));
-  for (const double area : {1.6, 30.0}) {
-    auto mesh = meshTriangles(fmt::format("W4-{}px", area), objFile, area, width, height);
-    if (!mesh) return tl::unexpected(mesh.error());
-    all.push_back(std::move(*mesh));
+  const bool large = name == "W3" || name == "W5";  // what is drawn at random has to fit often enough
+  const double pixels = double{1} * width * height, side = std::min(width, height);
+  if (pixels < (large ? 1.9e6 : 6e4) || side < (large ? 1000 : 200)) {
+    return fail(ErrorCode::BadInput, "workload", fmt::format("{} does not fit into {} x {} pixels", name, width, height),
+                "1920x1080 or more for W3 and W5, 256x256 or more for the others");
   }
-  all.push_back(slivers("W5", scaled(1e5), 1000, 0.3, width, height));
+  if (name == "W1") return randomTriangles("W1", scaled(1e6), 10, width, height);
+  if (name == "W2") return randomTriangles("W2", scaled(1e5), 1000, width, height);
+  if (name == "W3") return randomTriangles("W3", scaled(1e3), 500000, width, height);
+  if (name == "W4a") return meshTriangles("W4a", objFile, 1.6, width, height);
+  if (name == "W4b") return meshTriangles("W4b", objFile, 30, width, height);
+  if (name == "W5") return slivers("W5", scaled(1e5), 1000, 0.3, width, height);
+  return fail(ErrorCode::BadInput, "workload", fmt::format("there is no workload '{}'", name),
+              fmt::format("one of {}", fmt::join(builtInNames(), ", ")));
+}
+
+Result<std::vector<Workload>> builtInWorkloads(const std::string& objFile, double scale, uint32_t width, uint32_t height) {
+  std::vector<Workload> all;
+  for (const std::string_view name : builtInNames()) {
+    auto load = builtInWorkload(name, objFile, scale, width, height);
+    if (!load) return tl::unexpected(load.error());
+    all.push_back(std::move(*load));
+  }
   return all;
 }
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "rasterizer/kernels/snapped_triangle.hpp"
@@ -11,7 +13,7 @@
 namespace rasterdiff::bench {
 
 struct Workload {
-  std::string name;     ///< "W1" … "W5", "W4-30px" for the mesh at the larger size
+  std::string name;     ///< "W1" … "W5"; W4 is "W4a" (about 1.6 pixels a triangle) and "W4b" (about 30)
   std::string what;     ///< one line for people
   uint32_t width = 1920, height = 1080;
   std::vector<rasterizer::SnappedTriangle> triangles;  ///< clockwise on a y-down screen
@@ -31,7 +33,15 @@ struct Workload {
 [[nodiscard]] Result<Workload> meshTriangles(std::string name, const std::string& objFile, double area,
                                              uint32_t width = 1920, uint32_t height = 1080);
 
-/// W1 … W5 in order; W4 twice (about 1.6 and 30 pixels a triangle), from `objFile`. `scale` multiplies the counts.
+/// "W1", "W2", "W3", "W4a", "W4b", "W5".
+[[nodiscard]] std::span<const std::string_view> builtInNames();
+
+/// A built-in workload by name; `objFile` is the mesh of W4, `scale` multiplies the other counts. Error: BadInput for an
+/// unknown name or a target that is too small; those of meshTriangles.
+[[nodiscard]] Result<Workload> builtInWorkload(std::string_view name, const std::string& objFile, double scale = 1,
+                                               uint32_t width = 1920, uint32_t height = 1080);
+
+/// All of them, in order.
 [[nodiscard]] Result<std::vector<Workload>> builtInWorkloads(const std::string& objFile, double scale = 1,
                                                              uint32_t width = 1920, uint32_t height = 1080);
 

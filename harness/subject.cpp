@@ -24,6 +24,7 @@ class DeviceSubject final : public Subject {
   std::string info() const override { return device_->driver().info; }
   const Limits& limits() const override { return device_->limits(); }
   Result<Frame> render(const Scene& scene) override { return vkref::render(scene, *device_); }
+  std::optional<double> drawSeconds() const override { return device_->lastCost().drawSeconds; }
   std::vector<std::string> validationMessages() const override { return device_->validationMessages(); }
   std::vector<std::pair<std::string, std::string>> details() const override {
     const vkref::DriverInfo& driver = device_->driver();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +28,9 @@ class Subject {
   [[nodiscard]] virtual std::string info() const = 0;  ///< exact version
   [[nodiscard]] virtual const Limits& limits() const = 0;
   [[nodiscard]] virtual Result<Frame> render(const Scene& scene) = 0;
+  /// Seconds that the device itself took over the last render(), without upload and readback; none where only the
+  /// whole call is known.
+  [[nodiscard]] virtual std::optional<double> drawSeconds() const { return std::nullopt; }
   /// Validation messages so far; empty is clean.
   [[nodiscard]] virtual std::vector<std::string> validationMessages() const { return {}; }
   /// Whatever else a bug report needs: "deviceName", "apiVersion", "manifest".

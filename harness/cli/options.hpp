@@ -39,6 +39,19 @@ struct ExplainOptions {
   DriverChoice choice;
 };
 
+struct BenchOptions {
+  std::vector<std::string> scenes;  ///< instead of the built-in workloads
+  std::string workloads;            ///< empty: all, or a few for `quick`
+  std::string size = "1920x1080", samples = "1";  ///< each one or several, by commas
+  std::string tasks = "coverage,depth,varyings";
+  std::string kernels = "*";  ///< globs, by commas
+  DriverChoice choice;        ///< "none": no driver
+  uint32_t rounds = 5;
+  unsigned threads = 1;
+  bool quick = false, targets = false, scaling = false;
+  std::string json, csv, svg, report;  ///< paths; empty = not wanted
+};
+
 struct DevicesOptions {
   bool json = false;
 };
@@ -50,6 +63,6 @@ struct ListOptions {
   bool json = false;
 };
 
-using Verb = std::variant<CheckOptions, RenderOptions, ExplainOptions, DevicesOptions, ListOptions>;
+using Verb = std::variant<CheckOptions, RenderOptions, ExplainOptions, BenchOptions, DevicesOptions, ListOptions>;
 
 }  // namespace rasterdiff::harness::cli

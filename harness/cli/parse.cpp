@@ -40,6 +40,17 @@ constexpr const char* kExplainExamples = R"(Examples:
   rasterdiff explain my.scene.json 3 4 --sample 2 --driver swiftshader
   rasterdiff explain fill/shared-diagonal 12 12 --driver none     the reference alone)";
 
+constexpr const char* kBenchExamples = R"(Workloads (fixed seed, fully on screen): W1 a million triangles of 10 pixels, W2 100,000 of 1,000, W3 1,000 of 500,000,
+W4a and W4b a mesh of about 1.6 and 30 pixels a triangle, W5 100,000 slivers of 1000 x 0.3 pixels.
+Methods are verified before they are timed; one that promises to be exact and is not is not timed.
+
+Examples:
+  rasterdiff bench                                     speed against error, everything
+  rasterdiff bench --quick                             in a few seconds, with larger deviations
+  rasterdiff bench --workload W1,W4a --size 4096 --samples 4
+  rasterdiff bench --scaling --report bench.html --svg bench.svg --json bench.json --csv bench.csv
+  rasterdiff bench my.scene.json --kernels 'spans,render' --driver none)";
+
 constexpr const char* kDevicesExamples = R"(Examples:
   rasterdiff devices
   rasterdiff devices --json)";
@@ -138,6 +149,34 @@ void addExplain(CLI::App& app, ExplainOptions& options) {
   addDriverOptions(*verb, options.choice, ", none");
 }
 
+void addBench(CLI::App& app, BenchOptions& options) {
+  CLI::App* verb = app.add_subcommand("bench", "Speed against error for every kernel, the reference and the driver");
+  verb->footer(kBenchExamples);
+  verb->add_option("SCENE", options.scenes, "Catalogue glob, scene file or folder instead of the workloads");
+  verb->add_option("--workload", options.workloads, "W1, W2, W3, W4a, W4b, W5, with commas (default: all; W1,W2,W4b with --quick)");
+  verb->add_option("--size", options.size, "Targets, as in 1920x1080,4096")->capture_default_str();
+  verb->add_option("--samples", options.samples, "Samples a pixel, as in 1,4")->capture_default_str();
+  verb->add_option("--tasks", options.tasks, "What has to come out of a draw")->capture_default_str();
+  verb->add_option("--kernels", options.kernels, "Globs over the methods' names, with commas; also render, driver, driver-whole")
+      ->capture_default_str();
+  verb->add_option("--rounds", options.rounds, "Interleaved rounds")->check(CLI::Range(1U, 1000U))->capture_default_str();
+  verb->add_option("--threads", options.threads, "For the methods that can use several, and the driver")
+      ->check(CLI::Range(1U, 256U))
+      ->capture_default_str();
+  verb->add_flag("--targets", options.targets, "Every instruction set of this machine, not only the best");
+  verb->add_flag("--scaling", options.scaling, "Also how costs grow with triangle size and count, target size, samples, threads");
+  verb->add_option("--json", options.json, "Write the results as JSON");
+  verb->add_option("--csv", options.csv, "Write the rows as CSV");
+  verb->add_option("--svg", options.svg, "Write the plots as one SVG file");
+  verb->add_option("--report", options.report, "Write one self-contained HTML file");
+  verb->add_flag("--quick", options.quick, "Shorter draws, fewer samples verified");
+  verb->add_option("--driver", options.choice.driver, "lavapipe, swiftshader, the path of an ICD manifest (*.json), none")
+      ->capture_default_str();
+  verb->add_option("--timeout", options.choice.timeoutSeconds, "Seconds a driver may take over one submit")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
+}
+
 void addList(CLI::App& app, ListOptions& options) {
   CLI::App* verb = app.add_subcommand("list", "The catalogue, rules, deliberate errors, freedoms");
   verb->footer(kListExamples);
@@ -163,11 +202,13 @@ tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
   CheckOptions check;
   RenderOptions render;
   ExplainOptions explain;
+  BenchOptions bench;
   DevicesOptions devices;
   ListOptions list;
   addCheck(app, check);
   addRender(app, render);
   addExplain(app, explain);
+  addBench(app, bench);
   CLI::App* devicesVerb = app.add_subcommand("devices", "Which drivers are here, with the limits that matter");
   devicesVerb->footer(kDevicesExamples);
   devicesVerb->add_flag("--json", devices.json, "As JSON");
@@ -190,6 +231,7 @@ tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
   if (verb == "check") return check;
   if (verb == "render") return render;
   if (verb == "explain") return explain;
+  if (verb == "bench") return bench;
   if (verb == "devices") return devices;
   return list;
 }

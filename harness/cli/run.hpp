@@ -11,6 +11,7 @@ namespace rasterdiff::harness::cli {
 [[nodiscard]] int runVerb(const CheckOptions& options);
 [[nodiscard]] int runVerb(const RenderOptions& options);
 [[nodiscard]] int runVerb(const ExplainOptions& options);
+[[nodiscard]] int runVerb(const BenchOptions& options);
 [[nodiscard]] int runVerb(const DevicesOptions& options);
 [[nodiscard]] int runVerb(const ListOptions& options);
 

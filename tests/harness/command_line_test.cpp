@@ -7,7 +7,7 @@ namespace rasterdiff::test {
 namespace {
 
 TEST(CommandLine, HelpOfEveryVerbSucceedsAndShowsExamples) {
-  for (const char* verb : {"check", "render", "explain", "devices", "list"}) {
+  for (const char* verb : {"check", "render", "explain", "bench", "devices", "list"}) {
     const Outcome help = runProgram({verb, "--help"});
     EXPECT_EQ(help.status, 0) << verb;
     EXPECT_NE(help.out.find("Examples:"), std::string::npos) << verb;

@@ -1,0 +1,193 @@
+#include "harness/bench/measure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+
+#include "harness/bench/driver_process.hpp"
+#include "harness/bench/statistics.hpp"
+
+namespace rasterdiff::harness::bench {
+namespace {
+
+void refuse(Contender& contender, const Error& error) {
+  for (Row& row : contender.rows) row.refused = error.what;
+}
+
+/// Two rows: what the device took, and the whole call. Error: NoDevice alone ends a run.
+Result<Contender> driverContender(const Load& load, Task task, const Truth& truth, const Settings& settings,
+                                  const Frame& expected, std::string& line) {
+  Contender contender;
+  contender.mostSeconds = settings.frameSeconds;
+  contender.whole = load.scene.has_value();
+  for (const char* method : {"driver", "driver-whole"}) {
+    Row row;
+    row.task = task;
+    row.method = method;
+    row.threads = settings.threads;
+    contender.rows.push_back(row);
+  }
+  contender.rows[0].what = "the driver's own drawing";
+  contender.rows[1].what = "the driver with upload and readback";
+  Result<DriverProcess> opened =
+      DriverProcess::open({&load, task, truth.triangles(), &expected, settings.threads, *settings.driver});
+  if (!opened) {
+    if (opened.error().code == ErrorCode::NoDevice || opened.error().code == ErrorCode::BadInput)
+      return tl::unexpected(opened.error());
+    refuse(contender, opened.error());
+    return contender;
+  }
+  line = opened->line();
+  const auto process = std::make_shared<DriverProcess>(std::move(*opened));
+  const Result<ErrorCount> error = process->verify();
+  if (!error) {
+    refuse(contender, error.error());
+    return contender;
+  }
+  for (Row& row : contender.rows) row.error = *error;
+  for (Row& row : contender.rows) row.error->triangles = truth.triangles();
+  const auto peak = std::make_shared<uint64_t>(0);
+  contender.draw = [process, peak](size_t triangles) -> Result<std::vector<double>> {
+    const Result<DriverProcess::Drawn> drawn = process->draw(triangles);
+    if (!drawn) return tl::unexpected(drawn.error());
+    *peak = drawn->peakBytes;
+    return std::vector<double>{drawn->drawSeconds, drawn->wholeSeconds};
+  };
+  contender.peak = [peak](size_t) { return *peak > 0 ? std::optional<uint64_t>(*peak) : std::nullopt; };
+  return contender;
+}
+
+/// A contender on its way through the rounds.
+struct Runner {
+  Contender contender;
+  uint32_t draws = 1;  ///< a round
+  std::vector<std::vector<double>> seconds;  ///< a row, a round
+};
+
+/// So many triangles that the first draw of the slowest takes no time.
+size_t fewTriangles(const Load& load) {
+  const double all = static_cast<double>(load.triangles.size());
+  const double area = std::max(1.0, coveredSamples(load, 64) / std::min(64.0, std::max(1.0, all)));
+  return static_cast<size_t>(std::clamp(50'000 / area, 1.0, 64.0));
+}
+
+/// Draws more and more triangles until they take most of the time of a draw: what a draw costs anyway (a frame that is
+/// cleared, read back) must not pass for the cost of triangles.
+Result<void> probe(Runner& runner, const Load& load, double fixedParts) {
+  Contender& contender = runner.contender;
+  const size_t all = std::max<size_t>(1, load.triangles.size());
+  size_t triangles = contender.whole ? all : std::min(all, fewTriangles(load));
+  double fixed = -1, seconds = 0;
+  for (;;) {
+    const Result<std::vector<double>> drawn = contender.draw(triangles);
+    if (!drawn) return tl::unexpected(drawn.error());
+    seconds = std::max(1e-7, drawn->back());
+    fixed = fixed < 0 ? seconds : std::min(fixed, seconds);
+    const double goal = std::max(contender.mostSeconds, fixedParts * fixed);
+    if (triangles == all || seconds - fixed > goal / 2) break;
+    const double more = std::clamp(0.75 * goal / std::max(1e-7, seconds - fixed), 1.5, 16.0);
+    triangles = std::min(all, static_cast<size_t>(static_cast<double>(triangles) * more) + 1);
+  }
+  const double covered = coveredSamples(load, triangles);
+  for (Row& row : contender.rows) row.triangles = std::min(triangles, load.triangles.size()), row.samples = covered;
+  runner.draws = static_cast<uint32_t>(std::clamp(contender.mostSeconds / 2 / seconds, 1.0, 1000.0));
+  const std::optional<uint64_t> peak = contender.peak(triangles);
+  for (Row& row : contender.rows) row.peakBytes = peak;
+  runner.seconds.resize(contender.rows.size());
+  return {};
+}
+
+Result<void> round(Runner& runner, size_t triangles) {
+  std::vector<double> sums(runner.seconds.size());
+  for (uint32_t k = 0; k < runner.draws; ++k) {
+    const Result<std::vector<double>> drawn = runner.contender.draw(triangles);
+    if (!drawn) return tl::unexpected(drawn.error());
+    for (size_t row = 0; row < sums.size(); ++row) sums[row] += (*drawn)[row];
+  }
+  for (size_t row = 0; row < sums.size(); ++row) runner.seconds[row].push_back(sums[row] / runner.draws);
+  return {};
+}
+
+Result<std::vector<Contender>> contenders(const Load& load, Task task, const Truth& truth, const Settings& settings,
+                                          Frame& expected, std::string& driverLine) {
+  std::vector<Contender> all;
+  if (task == Task::Coverage || load.scene) {
+    Result<std::vector<Contender>> masks = maskContenders(load, truth, settings);
+    if (!masks) return masks;
+    for (Contender& mask : *masks) {
+      mask.rows[0].task = task;
+      all.push_back(std::move(mask));
+    }
+  }
+  const bool driver = settings.driver && (chosen(settings, "driver") || chosen(settings, "driver-whole"));
+  const bool frames = driver || chosen(settings, "render");
+  if (task == Task::Coverage || !load.scene) {  // a scene's own depths and inputs are left to the reference and the driver
+    Result<std::vector<Contender>> values = valueContenders(load, task, truth, settings, frames && !load.scene ? &expected : nullptr);
+    if (!values) return values;
+    std::ranges::move(*values, std::back_inserter(all));
+  }
+  if (!frames) return all;
+  Result<Contender> render = renderContender(load, task, truth, settings, expected);
+  if (!render) return tl::unexpected(render.error());
+  if (chosen(settings, "render")) all.push_back(std::move(*render));
+  if (!driver) return all;
+  Result<Contender> subject = driverContender(load, task, truth, settings, expected, driverLine);
+  if (!subject) return tl::unexpected(subject.error());
+  all.push_back(std::move(*subject));
+  return all;
+}
+
+}  // namespace
+
+Result<std::vector<Row>> measure(const Load& load, Task task, const Settings& settings, std::string& driverLine,
+                                 const Progress& progress) {
+  const std::string place = fmt::format("{}, {}", load.name, toString(task));
+  progress(place + ": verifying");
+  const Truth truth(load, task == Task::Coverage ? settings.boxSamples : settings.boxSamples / 20);  // values cost more
+  Frame expected;
+  Result<std::vector<Contender>> all = contenders(load, task, truth, settings, expected, driverLine);
+  if (!all) return tl::unexpected(all.error());
+
+  std::vector<Runner> runners;
+  for (Contender& contender : *all) runners.push_back({std::move(contender), 1, {}});
+  const auto runs = [](const Runner& runner) { return runner.contender.rows[0].refused.empty(); };
+  for (Runner& runner : runners) {
+    if (!runs(runner)) continue;
+    progress(fmt::format("{}: how fast is {}?", place, runner.contender.rows[0].method));
+    if (const Result<void> probed = probe(runner, load, settings.fixedParts); !probed) refuse(runner.contender, probed.error());
+  }
+  for (uint32_t r = 0; r < settings.rounds; ++r) {
+    for (Runner& runner : runners) {
+      if (!runs(runner)) continue;
+      progress(fmt::format("{}: round {} of {}, {}", place, r + 1, settings.rounds, runner.contender.rows[0].method));
+      const Result<void> done = round(runner, std::max<size_t>(1, runner.contender.rows[0].triangles));
+      if (!done) refuse(runner.contender, done.error());
+    }
+  }
+  std::vector<Row> rows;
+  for (Runner& runner : runners) {
+    for (size_t i = 0; i < runner.contender.rows.size(); ++i) {
+      Row& row = runner.contender.rows[i];
+      if (row.refused.empty() && median(runner.seconds[i]) > 0) row.timing = timingOf(runner.seconds[i], runner.draws);
+      if (row.timing || !row.refused.empty()) rows.push_back(std::move(row));
+    }
+  }
+  return rows;
+}
+
+Result<LoadResult> measureAll(const Load& load, const std::vector<Task>& tasks, const Settings& settings,
+                              std::string& driverLine, const Progress& progress) {
+  LoadResult result{load.name, load.what, load.width, load.height, load.samples, load.triangles.size(),
+                    coveredSamples(load, load.triangles.size()), load.note, {}};
+  for (const Task task : tasksOf(load)) {
+    if (std::ranges::find(tasks, task) == tasks.end()) continue;
+    Result<std::vector<Row>> rows = measure(load, task, settings, driverLine, progress);
+    if (!rows) return tl::unexpected(rows.error());
+    result.rows.insert(result.rows.end(), std::make_move_iterator(rows->begin()), std::make_move_iterator(rows->end()));
+  }
+  return result;
+}
+
+}  // namespace rasterdiff::harness::bench
