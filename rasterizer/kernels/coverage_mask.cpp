@@ -21,12 +21,14 @@ Result<CoverageMask> CoverageMask::create(uint32_t width, uint32_t height, uint3
 CoverageMask::CoverageMask(uint32_t width, uint32_t height, std::span<const SampleLocation> locations)
     : width_(width), height_(height), halfColumns_((width + kBlockWidth - 1) / kBlockWidth * 2), locations_(locations) {
   storage_.assign(size() + kBlockHeight, 0);
+  full_.assign((halfColumns_ / 2 + 63) / 64 * fullStride(), 0);
   const auto misplaced = reinterpret_cast<uintptr_t>(storage_.data()) / sizeof(uint64_t) % kBlockHeight;
   words_ = storage_.data() + (kBlockHeight - misplaced) % kBlockHeight;
 }
 
 CoverageMask::CoverageMask(const CoverageMask& other) : CoverageMask(other.width_, other.height_, other.locations_) {
   std::copy_n(other.words_, size(), words_);
+  full_ = other.full_;
 }
 
 CoverageMask& CoverageMask::operator=(const CoverageMask& other) {
@@ -34,10 +36,14 @@ CoverageMask& CoverageMask::operator=(const CoverageMask& other) {
   return *this;
 }
 
-void CoverageMask::clear() { std::fill_n(words_, size(), 0); }
+void CoverageMask::clear() {
+  std::fill_n(words_, size(), 0);
+  std::ranges::fill(full_, 0);
+}
 
 void CoverageMask::merge(const CoverageMask& other) {
   for (size_t i = 0; i < size(); ++i) words_[i] |= other.words_[i];
+  for (size_t i = 0; i < full_.size(); ++i) full_[i] |= other.full_[i];
 }
 
 void CoverageMask::settle(uint32_t firstBlockRow, uint32_t endBlockRow) {
@@ -53,6 +59,10 @@ void CoverageMask::settle(uint32_t firstBlockRow, uint32_t endBlockRow) {
         for (size_t i = 0; i < blockWords; ++i) odd[i + blockWords] |= odd[i] >> kBlockStep;
       for (size_t i = 0; i < blockWords; ++i) odd[i] = 0;
     }
+    for (uint32_t w = 0; w < halfColumns_ / 2; ++w)
+      if ((full_[w / 64 * fullStride() + blockRow] >> (w % 64) & 1) != 0)
+        std::fill_n(block + 2 * w * blockWords, blockWords, ~uint64_t{0});
+    for (size_t part = 0; part * 64 < halfColumns_ / 2; ++part) full_[part * fullStride() + blockRow] = 0;
     uint64_t* last = block + (halfColumns_ - 2) * blockWords;
     for (size_t i = 0; i < blockWords; ++i) last[i] &= keep;
     for (uint32_t row = 0; row < kBlockHeight; ++row) {

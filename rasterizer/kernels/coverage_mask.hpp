@@ -53,7 +53,11 @@ class CoverageMask {
   [[nodiscard]] const uint64_t* words() const { return words_; }
   [[nodiscard]] uint32_t halfColumns() const { return halfColumns_; }
   [[nodiscard]] uint32_t blockRows() const { return (height_ + kBlockHeight - 1) / kBlockHeight; }
-  /// For kernels: folds the scratch blocks of the given block rows and clears what lies beyond the target.
+  /// For kernels: bit w % 64 of word (w / 64) · fullStride() + block row says that window w, a block at an even half column,
+  /// is full in every sample. Readable and writable for eight block rows beyond the target.
+  [[nodiscard]] uint64_t* full() { return full_.data(); }
+  [[nodiscard]] size_t fullStride() const { return size_t{blockRows()} + kBlockHeight; }
+  /// For kernels: folds full bits and scratch blocks of the given block rows, and clears what lies beyond the target.
   void settle(uint32_t firstBlockRow, uint32_t endBlockRow);
   /// For kernels: `this |= other`, scratch included.
   void merge(const CoverageMask& other);
@@ -71,6 +75,7 @@ class CoverageMask {
   uint32_t width_ = 0, height_ = 0, halfColumns_ = 0;
   std::span<const SampleLocation> locations_;
   std::vector<uint64_t> storage_;  ///< 64 bytes longer than needed
+  std::vector<uint64_t> full_;
   uint64_t* words_ = nullptr;      ///< first multiple of 64 bytes in `storage_`
 };
 

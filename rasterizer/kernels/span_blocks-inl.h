@@ -15,15 +15,18 @@ namespace HWY_NAMESPACE {
 
 using Words = hn::Vec<DU>;
 
-/// All pixels of a 64-pixel window at or right of a line; `t` is the line's place as in span_setup-inl.h.
-HWY_INLINE Words RightOf(V t) {
+/// All pixels of a window of 64, which begins at pixel `x` of the triangle's first block, at or right of a line; `t` is the
+/// line's place as in span_setup-inl.h.
+HWY_INLINE Words RightOf(V t, uint64_t x) {
   const D d;
   const DU du;
 #if HWY_TARGET <= HWY_AVX3
+  (void)d, (void)du;
   // Rounds to nearest. Counts of 64 and more shift everything out.
-  return Words{_mm512_sllv_epi64(_mm512_set1_epi64(-1), _mm512_cvtpd_epi64(hn::Max(t, hn::Zero(d)).raw))};
+  const __m512i place = _mm512_sub_epi64(_mm512_cvtpd_epi64(t.raw), _mm512_set1_epi64(static_cast<int64_t>(x)));
+  return Words{_mm512_sllv_epi64(_mm512_set1_epi64(-1), _mm512_max_epi64(place, _mm512_setzero_si512()))};
 #else
-  const V clamped = hn::Min(hn::Max(t, hn::Zero(d)), hn::Set(d, 64.0));
+  const V clamped = hn::Min(hn::Max(t - hn::Set(d, static_cast<double>(x)), hn::Zero(d)), hn::Set(d, 64.0));
   const Words n = hn::And(hn::BitCast(du, clamped + hn::Set(d, 4503599627370496.0)), hn::Set(du, 127));  // + 2^52 rounds
 #if HWY_TARGET == HWY_SCALAR
   return hn::IfThenElseZero(hn::Lt(n, hn::Set(du, 64)), hn::Shl(hn::Set(du, ~uint64_t{0}), hn::And(n, hn::Set(du, 63))));
@@ -33,10 +36,10 @@ HWY_INLINE Words RightOf(V t) {
 #endif
 }
 
-/// The words `to` with the pixels from line `left` to line `right` added.
-HWY_INLINE void AddBetween(V left, V right, uint64_t* HWY_RESTRICT to) {
+/// The words `to` of the window at `x` with the pixels from line `left` to line `right` added.
+HWY_INLINE void AddBetween(V left, V right, uint64_t x, uint64_t* HWY_RESTRICT to) {
   const DU du;
-  const Words l = RightOf(left), r = RightOf(right);
+  const Words l = RightOf(left, x), r = RightOf(right, x);
 #if HWY_TARGET <= HWY_AVX3
   _mm512_store_si512(to, _mm512_ternarylogic_epi64(l.raw, r.raw, hn::Load(du, to).raw, 0xBA));  // (l & ~r) | old
 #else
@@ -68,7 +71,7 @@ HWY_INLINE void DrawSmall(const Batch<kSamples>& b, const SpanTarget& target) {
       for (size_t row = 0; row < 8; row += kLanes) {
         V left, right;
         Bounds<kSide>(b, i, s, hn::Iota(D(), static_cast<double>(8 * kBlockRow + row)), left, right);
-        AddBetween(left, right, block + s * 8 + row);
+        AddBetween(left, right, 0, block + s * 8 + row);
       }
   }
 }

@@ -14,7 +14,6 @@
 #include "rasterizer/kernels/span_medium-inl.h"
 #include "rasterizer/kernels/span_setup-inl.h"
 #include "rasterizer/kernels/span_target.hpp"
-#include "rasterizer/kernels/span_thin-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rasterdiff::rasterizer {
@@ -22,23 +21,21 @@ namespace HWY_NAMESPACE {
 
 /// Draws the classes that SetUp sorted a batch into, in any order: OR does not mind.
 template <size_t kSide, size_t kSamples>
-HWY_INLINE void DrawSide(const Batch<kSamples>& b, const SnappedTriangle* HWY_RESTRICT t, const SpanTarget& target,
-                         uint32_t* HWY_RESTRICT rows, Pixels& pixels) {
+HWY_INLINE void DrawSide(const Batch<kSamples>& b, const SpanTarget& target, Touched& touched, FirstBlocks& firstBlocks) {
   DrawSmall<kSide, 0, kSamples>(b, target);
   DrawSmall<kSide, 1, kSamples>(b, target);
   DrawSmall<kSide, 2, kSamples>(b, target);
   DrawSmall<kSide, 3, kSamples>(b, target);
-  if (b.medium[kSide].size > 0) DrawMedium<kSide, kSamples>(b, b.medium[kSide], target);
-  for (size_t k = 0; k < b.large[kSide].size; ++k) DrawLarge<kSide, kSamples>(b, b.large[kSide].places[k], target);
-  if (b.thin[kSide].size > 0) DrawThin<kSide, kSamples>(b, t, target, rows, pixels);
+  if (b.medium[kSide].size > 0) DrawMedium<kSide, kSamples>(b, b.medium[kSide], target, touched, firstBlocks);
+  if (b.large[kSide].size > 0) DrawLarge<kSide, kSamples>(b, b.large[kSide], target, touched);
 }
 
 template <size_t kSamples>
 void DrawBatches(std::span<const SnappedTriangle> triangles, const SpanTarget& target, CoverageMask& mask) {
   using B = Batch<kSamples>;
   B b;
-  Pixels pixels;
-  std::vector<uint32_t> rows(2 * (static_cast<size_t>(target.height) + kThinExtra));
+  Touched touched;
+  FirstBlocks firstBlocks;
   for (size_t first = 0; first < triangles.size(); first += B::kSize) {
     const size_t size = std::min(B::kSize, triangles.size() - first);
     const SnappedTriangle* HWY_RESTRICT t = triangles.data() + first;
@@ -50,11 +47,10 @@ void DrawBatches(std::span<const SnappedTriangle> triangles, const SpanTarget& t
       std::copy(t + i, t + size, rest);
       SetUp<kSamples>(rest, i, target, b);
     }
-    DrawSide<0, kSamples>(b, t, target, rows.data(), pixels);
-    DrawSide<1, kSamples>(b, t, target, rows.data(), pixels);
+    DrawSide<0, kSamples>(b, target, touched, firstBlocks);
+    DrawSide<1, kSamples>(b, target, touched, firstBlocks);
     for (size_t k = 0; k < b.far.size; ++k) drawIntegerSpans(t[b.far.places[k]], mask);
   }
-  pixels.Flush(target.words);
 }
 
 void DrawSpans(std::span<const SnappedTriangle> triangles, CoverageMask& mask) {
@@ -78,6 +74,8 @@ HWY_EXPORT(DrawSpans);
 SpanTarget spanTarget(CoverageMask& mask) {
   SpanTarget t;
   t.words = mask.words();
+  t.full = mask.full();
+  t.fullStride = mask.fullStride();
   t.width = mask.width(), t.height = mask.height();
   t.samples = mask.samples();
   t.blockWords = static_cast<double>(mask.blockOffset(0, 1, 0));

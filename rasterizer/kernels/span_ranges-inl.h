@@ -44,7 +44,7 @@ HWY_INLINE Lines LinesOf(const Batch<kSamples>& b, size_t i) {
   const int32_t corner = b.firstRow[i] / 8 * 8;
   lines.top = b.firstRow[i] - corner, lines.bottom = b.endRow[i] - corner;
   lines.blocks = (lines.bottom + 7) / 8;
-  lines.windows = (b.columns[i] + 63) / 64;
+  lines.windows = (static_cast<int32_t>(b.columns[i]) + 63) / 64;
   return lines;
 }
 

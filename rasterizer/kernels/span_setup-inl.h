@@ -14,14 +14,18 @@
 // The proof. Let all |coordinates| <= 2^22 (kFastRange: 16,384 px) and u = 2^-53. Rows r and pixels count from the corner of
 // the first block that the triangle touches inside the target: 0 <= r < 2^14 + 16.
 // Exact in doubles: differences of coordinates (<= 2^23 + 2^8), products (< 2^47), N(0) (< 2^48), N(0) - 1/2, scaling by 1/256.
-// Roundings: q = fl(1/dy) one; slope = dx q two; slope·r three (an instruction set with FMA skips one, which only helps);
-// offset = (N(0) - 1/2)(q/256) + 1/2 three, relative to |offset| + 1; t one more. As |slope·r| <= |t| + |offset|,
-//   error <= u (4|t| + 6|offset| + 3), up to factors 1 + 2^-50.
+// Roundings, each u times the size of its result: q = fl(1/dy) one; slope = dx q two in all, which reach t as 2|slope·r|;
+// offset = (N(0) - 1/2)(q/256) + 1/2 three, together 3(|offset| + 1). Then t, in one of two ways:
+//   at once: slope·r one (an instruction set with FMA skips it, which only helps), the sum one;
+//   in steps (span_medium-inl.h), r = 8k + j, j < 8, from the left x of a window: slope·8k one, start = slope·8k + offset one,
+//   start - x one, slope·j one, the sum one.
+// With |slope·r| <= |t| + |offset|, |start| <= |t| + 7|slope| and 0 <= x < 2^15 the second way is the worse one:
+//   error <= u (6|t| + 6|offset| + 28|slope| + 2^15 + 3), up to factors 1 + 2^-50.
 //   |offset| <= (2^15 + 1)(1 + 2^23/dy), from |xa - 256 X0| <= 2^23 + 2^8 and |256 Y0 + sy - ya| <= 2^23 + 2^8, |dx| <= 2^23.
 // Windows end before 2^14 + 64 px, and what lies outside a window is clamped to its side. So either |t| <= 2^14 + 128 and
-//   dy·error <= 2^-53 (2^39.1 + 2^41.6 + 2^25) < 2^-11, less than g·dy = 2^-9 with dy <= 2^23: the rounding is right;
-// or |t| is larger and the error is below 2^-10 (1 + |t|/2^40): it stays on its side. Moving t to a window (t - 64 w) is exact
-// where the result is positive, for both are multiples of the last bit of t; else it is clamped.
+//   dy·error <= 2^-53 (2^39.7 + 2^41.6 + 2^28 + 2^38.1) < 2^-11, less than g·dy = 2^-9 with dy <= 2^23: the rounding is right;
+// or |t| is larger and the error is below 2^-10 (1 + |t|/2^40): it stays on its side. Where t itself is moved to a window, that
+// is done after rounding (in integers), or exactly: t and x are multiples of the last bit of t where t - x > 0, else it is clamped.
 // Beyond kFastRange a triangle goes to integer_spans.cpp. span_kernel_test.cpp looks for flips at these limits.
 #if defined(RASTERDIFF_SPAN_SETUP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERDIFF_SPAN_SETUP_INL_H
@@ -51,9 +55,9 @@ inline constexpr size_t kLanes = hn::MaxLanes(D());
 inline constexpr double kFastRange = 4194304;  // 2^22, in 1/256 pixel
 inline constexpr double kSteep = 1048576;      // slope of the line that stands for a horizontal edge: ±kSteep/2 is off every target
 
-inline constexpr double kMediumWindows = 6;                  // beyond, filling whole windows pays
-inline constexpr size_t kGroups = 16;                        // of kLanes block rows, for a medium triangle
-inline constexpr double kGroupRows = 8.0 * double{kLanes};  // pixels
+inline constexpr double kMediumWidth = 256.0 * 192;          // subpixels; beyond, filling whole windows pays
+inline constexpr size_t kGroups = 16;                         // of kLanes block rows, for a medium triangle
+inline constexpr double kGroupRows = 8.0 * double{kLanes};   // pixels
 
 /// Lines and classes of up to kSize triangles; index = place in the batch.
 template <size_t kSamples>
@@ -68,21 +72,20 @@ struct Batch {
   alignas(64) double offset[kCapacity][3][kSize];  // pixels from the first block's corner, + 1/2
   alignas(64) int32_t block[kSize];                // words from the mask's start to the first block
   alignas(64) int32_t firstRow[kSize], endRow[kSize];  // clipped box, pixels
-  alignas(64) int32_t columns[kSize];                  // pixels from the first block's to the box's end
+  alignas(64) double columns[kSize], rows[kSize];      // pixels from the first block's corner to the box's end
   struct Long {
     size_t size = 0;
     uint64_t places[kSize * kGroups + 8];
   };
   // Places in the batch by class and side (0: A is the left bound, 1: the right bound).
   List small[4][2];  // in one block column; which reach the first, second, third, fourth block row
-  List thin[2];    // nowhere wider than a pixel, all inside the target
-  Long medium[2];  // few windows wide: group of kLanes block rows << 16 | place
+  Long medium[2];  // nowhere wider than kMediumWidth: group of kLanes block rows << 16 | place
   List large[2];
-  List far;        // beyond the fast range
+  List far;  // beyond the fast range
 
   void Clear() {
     for (size_t side = 0; side < 2; ++side)
-      for (List* list : {&small[0][side], &small[1][side], &small[2][side], &small[3][side], &thin[side], &large[side]}) list->size = 0;
+      for (List* list : {&small[0][side], &small[1][side], &small[2][side], &small[3][side], &large[side]}) list->size = 0;
     medium[0].size = medium[1].size = 0;
     far.size = 0;
   }
@@ -158,16 +161,19 @@ HWY_INLINE void SetUp(const SnappedTriangle* HWY_RESTRICT t, size_t base, const 
   const V firstColumn = hn::Max(hn::Ceil((minX - hn::Set(d, target.maxX)) * pixel), zero);
   const V endColumn = hn::Min(hn::Ceil((maxX - hn::Set(d, target.minX)) * pixel), hn::Set(d, target.width));
   const V blockRow = hn::Floor(firstRow * hn::Set(d, 1.0 / 8));
-  // Wide triangles keep off the scratch blocks: less memory to touch.
-  const M wide = hn::Gt(endColumn - firstColumn, hn::Set(d, 128));
-  const V evenColumn = hn::Floor(firstColumn * hn::Set(d, 1.0 / 64)) * hn::Set(d, 2);
-  const V halfColumn = hn::IfThenElse(wide, evenColumn, hn::Floor(firstColumn * hn::Set(d, 1.0 / 32)));
-  const V cornerX = halfColumn * hn::Set(d, 32), cornerY = blockRow * hn::Set(d, 8);
-
+  const V cornerY = blockRow * hn::Set(d, 8), down = endRow - cornerY;  // rows from the first block
   const V dxA = c.x[2] - c.x[0], dyA = c.y[2] - c.y[0];
   const V dxB = c.x[1] - c.x[0], dyB = c.y[1] - c.y[0];
   const V dxC = c.x[2] - c.x[1], dyC = c.y[2] - c.y[1];
   const V area = dxB * dyA - dxA * dyB;  // exact: < 2^47 within the fast range; > 0 where A is on the left
+
+  // The widest row is that of the middle vertex: |area| / dyA subpixels.
+  const M large = hn::Or(hn::Gt(hn::Abs(area), dyA * hn::Set(d, kMediumWidth)), hn::Gt(down, hn::Set(d, kGroups * kGroupRows)));
+  // Those need whole windows, where the full bits are; others begin at any half column.
+  const V evenColumn = hn::Floor(firstColumn * hn::Set(d, 1.0 / 64)) * hn::Set(d, 2);
+  const V halfColumn = hn::IfThenElse(large, evenColumn, hn::Floor(firstColumn * hn::Set(d, 1.0 / 32)));
+  const V cornerX = halfColumn * hn::Set(d, 32);
+
   const V reach = hn::Max(hn::Max(hn::Neg(minX), maxX), hn::Max(hn::Neg(c.y[0]), c.y[2]));
   const M inBox = hn::And(hn::Lt(firstRow, endRow), hn::Lt(firstColumn, endColumn));
   const M near = hn::Le(reach, hn::Set(d, kFastRange));
@@ -201,9 +207,10 @@ HWY_INLINE void SetUp(const SnappedTriangle* HWY_RESTRICT t, size_t base, const 
   StoreInt(hn::MulAdd(blockRow, hn::Set(d, target.rowWords), halfColumn * hn::Set(d, target.blockWords)), b.block + base);
   StoreInt(firstRow, b.firstRow + base);
   StoreInt(endRow, b.endRow + base);
-  StoreInt(endColumn - cornerX, b.columns + base);
+  const V across = endColumn - cornerX;  // columns from the first block
+  hn::Store(across, d, b.columns + base);
+  hn::Store(down, d, b.rows + base);
 
-  const V down = endRow - cornerY, across = endColumn - cornerX;  // rows and columns of the first block and beyond
   const M small = hn::And(hn::Le(across, hn::Set(d, 64)), hn::Le(down, hn::Set(d, 32)));
   const M side0 = hn::And(alive, hn::Gt(area, zero)), side1 = hn::And(alive, hn::Lt(area, zero));
   const auto places = hn::Iota(DU(), 0) + hn::Set(DU(), base);
@@ -220,16 +227,9 @@ HWY_INLINE void SetUp(const SnappedTriangle* HWY_RESTRICT t, size_t base, const 
   }
   const M rest = hn::AndNot(hn::And(small, near), inBox);
   if (HWY_LIKELY(hn::AllFalse(d, rest))) return;
-  // The widest row is that of the middle vertex: |area| / dyA subpixels.
-  const M thin = hn::And(hn::And(hn::Le(hn::Abs(area), hn::Set(d, 255) * dyA),
-                                 hn::And(hn::Ge(minX, zero), hn::Ge(c.y[0], zero))),
-                         hn::And(hn::Le(maxX, hn::Set(d, target.width * 256)), hn::Le(c.y[2], hn::Set(d, target.height * 256))));
-  const M large = hn::Or(hn::Gt(across, hn::Set(d, 64 * kMediumWindows)), hn::Gt(down, hn::Set(d, kGroups * kGroupRows)));
   for (size_t side = 0; side < 2; ++side) {
     const M mine = hn::And(rest, side == 0 ? side0 : side1);
-    const M thick = hn::AndNot(thin, mine);
-    Append(places, hn::And(mine, thin), b.thin[side].places, b.thin[side].size);
-    const M moderate = hn::AndNot(large, thick);
+    const M moderate = hn::AndNot(large, mine);
     Append(places, moderate, b.medium[side].places, b.medium[side].size);
     V group = hn::Set(d, kGroupRows);
     auto code = places;
@@ -238,7 +238,7 @@ HWY_INLINE void SetUp(const SnappedTriangle* HWY_RESTRICT t, size_t base, const 
       Append(code, more, b.medium[side].places, b.medium[side].size);
       group = group + hn::Set(d, kGroupRows);
     }
-    Append(places, hn::And(large, thick), b.large[side].places, b.large[side].size);
+    Append(places, hn::And(large, mine), b.large[side].places, b.large[side].size);
   }
   Append(places, hn::AndNot(near, inBox), b.far.places, b.far.size);
 }

@@ -11,6 +11,8 @@ namespace rasterdiff::rasterizer {
 
 struct SpanTarget {
   uint64_t* words = nullptr;
+  uint64_t* full = nullptr;  ///< full bits of a mask, `fullStride` words for each 64 windows
+  size_t fullStride = 0;
   double width = 0, height = 0;         ///< pixels
   double rowWords = 0, blockWords = 0;  ///< from one block row, and one half column, to the next
   size_t samples = 1;

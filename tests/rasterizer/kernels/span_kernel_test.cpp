@@ -103,37 +103,90 @@ int64_t inverseModulo(int64_t a, int64_t m) {
   return r0 == 1 ? ((s0 % m) + m) % m : 0;
 }
 
-// The proof of span_setup-inl.h at its limits: edges up to 2^23 subpixels long and high that pass a sample at a distance
-// of 0, ±1 or ±2 of the smallest amount that integers allow, anywhere in a target of 16,384 pixels.
-TEST(SpanKernel, LinesThatNearlyTouchASampleAtTheLimitsOfTheFastRangeDoNotFlipIt) {
-  constexpr int32_t kRange = 1 << 22;
-  Prng random(99);
-  size_t tried = 0, ties = 0;
-  auto mask = *CoverageMask::create(16384, 16, 1), expected = mask;
-  while (tried < 3000) {
-    const int64_t dy = random.between(kRange / 2, 2 * kRange), dx = random.between(-2 * kRange, 2 * kRange);
+/// What a sample sees of the long edge of its triangle.
+struct NearMiss {
+  SnappedTriangle triangle;
+  bool tie = false;
+};
+
+/// An edge up to 2·`range` subpixels long and high that passes a sample of a target of `width` × 16 pixels at a distance of
+/// 0, ±1 or ±2 of the smallest amount that integers allow. The triangle is `thin` (at most 100 px, so that it stays in few
+/// windows) or has its third vertex anywhere.
+NearMiss nearMiss(Prng& random, int32_t range, uint32_t width, bool thin) {
+  while (true) {
+    const int64_t dy = random.between(range / 2, 2 * range), dx = random.between(-2 * range, 2 * range);
     const int64_t inverse = inverseModulo(dx, dy), k = random.between(-2, 2);
     if (inverse == 0) continue;
     const int64_t down = (((inverse * k) % dy) + dy) % dy;  // from the top vertex to the sample: (down · dx) mod dy = k
-    const int64_t row = random.below(16), sampleY = 256 * row + 128, ya = sampleY - down;
-    const int64_t pixel = random.below(16384), sampleX = 256 * pixel + 128;
-    const int64_t xa = sampleX - (down * dx - k) / dy;
-    const SnappedTriangle base{{SubpixelPosition{static_cast<int32_t>(xa), static_cast<int32_t>(ya)},
-                                {static_cast<int32_t>(xa + dx), static_cast<int32_t>(ya + dy)},
-                                {random.between(-kRange, kRange), random.between(-kRange, kRange)}}};
-    if (std::ranges::any_of(base.v, [](SubpixelPosition v) { return std::abs(v.x) > kRange || std::abs(v.y) > kRange; }))
-      continue;
-    ++tried, ties += k == 0;
+    const int64_t ya = 256 * random.below(16) + 128 - down;
+    const int64_t sampleX = 256 * int64_t{random.below(width)} + 128, xa = sampleX - (down * dx - k) / dy;
+    const int64_t apex = random.between(0, static_cast<int32_t>(std::min<int64_t>(dy, 2 * range - 1)));
+    const auto at = [](int64_t x, int64_t y) { return SubpixelPosition{static_cast<int32_t>(x), static_cast<int32_t>(y)}; };
+    const SubpixelPosition third = thin ? at(xa + dx * apex / dy + random.between(-25600, 25600), ya + apex)
+                                        : at(random.between(-range, range), random.between(-range, range));
+    const SnappedTriangle t{{at(xa, ya), at(xa + dx, ya + dy), third}};
+    if (std::ranges::all_of(t.v, [=](SubpixelPosition v) { return std::abs(v.x) <= range && std::abs(v.y) <= range; }))
+      return {t, k == 0};
+  }
+}
+
+void expectNoFlips(int32_t range, uint32_t width, bool thin, int count) {
+  Prng random(99);
+  int ties = 0;
+  auto mask = *CoverageMask::create(width, 16, 1), expected = mask;
+  for (int tried = 0; tried < count; ++tried) {
+    const NearMiss miss = nearMiss(random, range, width, thin);
+    ties += miss.tie;
     expected.clear();
-    drawIntegerSpans(base, expected);
+    drawIntegerSpans(miss.triangle, expected);
     onEveryTarget([&] {
       mask.clear();
-      drawCoverage({&base, 1}, mask);
-      ASSERT_EQ(mask.differing(expected), 0u) << xa << ' ' << ya << ' ' << dx << ' ' << dy << ' ' << k;
+      drawCoverage({&miss.triangle, 1}, mask);
+      const auto& v = miss.triangle.v;
+      ASSERT_EQ(mask.differing(expected), 0u) << v[0].x << ' ' << v[0].y << ' ' << v[1].x << ' ' << v[1].y << ' ' << v[2].x
+                                              << ' ' << v[2].y;
     });
-    if (HasFatalFailure()) return;
+    if (::testing::Test::HasFatalFailure()) return;
   }
-  EXPECT_GT(ties, 300u);
+  EXPECT_GT(ties, count / 20);
+}
+
+// The proof of span_setup-inl.h at its limits, anywhere in a target of 16,384 pixels.
+constexpr int32_t kFastRange = 1 << 22;
+
+TEST(SpanKernel, LinesThatNearlyTouchASampleAtTheLimitsOfTheFastRangeDoNotFlipIt) {
+  expectNoFlips(kFastRange, 16384, false, 2000);
+}
+
+TEST(SpanKernel, ThinTrianglesThatNearlyTouchASampleAtTheLimitsOfTheFastRangeDoNotFlipIt) {
+  expectNoFlips(kFastRange, 16384, true, 2000);
+}
+
+TEST(SpanKernel, LinesThatNearlyTouchASampleBeyondTheFastRangeDoNotFlipIt) { expectNoFlips(1 << 25, 32768, false, 200); }
+
+TEST(SpanKernel, EqualsTheOracleOnTallAndNarrowTriangles) {
+  const testing::Family family{"tall", [](Prng& random) {
+    const int32_t x = random.between(0, 150 * 256);
+    SnappedTriangle t;
+    for (SubpixelPosition& v : t.v) v = {x + random.between(0, 100 * 256), random.between(-2000, 2100 * 256)};
+    return t;
+  }};
+  for (const uint32_t samples : {1u, 4u}) expectEqual(family, 230, 2060, samples, 12, 4);
+}
+
+TEST(SpanKernel, FullWindowsStayFullUnderLaterTriangles) {
+  // Covers all windows; the others lie on top, so that full ones are skipped.
+  std::vector<SnappedTriangle> triangles{{{SubpixelPosition{-500000, -500000}, {1500000, -500000}, {-500000, 1500000}}}};
+  Prng random(4);
+  while (triangles.size() < 40) triangles.push_back(testing::hardFamilies(700, 90)[7].make(random));
+  for (const uint32_t samples : {1u, 4u}) onEveryTarget([&] {
+      auto mask = *CoverageMask::create(700, 90, samples);
+      drawCoverage(triangles, mask);
+      EXPECT_EQ(mask.count(), 700u * 90 * samples);
+      mask.clear();
+      drawCoverage({}, mask);
+      EXPECT_EQ(mask.count(), 0u);
+    });
 }
 
 }  // namespace
