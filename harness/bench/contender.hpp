@@ -18,7 +18,8 @@ struct Settings {
   bool targets = false;       ///< every instruction set of this machine, not only the best
   std::optional<SubjectOptions> driver;
   double boxSamples = 2e7;    ///< looked at before a timing, see Truth
-  double kernelSeconds = 0.03, frameSeconds = 0.3;  ///< one draw of a kernel, of the reference or driver, at most
+  double kernelSeconds = 0.03, frameSeconds = 0.3;  ///< one draw of a kernel, of the reference or driver, about
+  double fixedParts = 4;      ///< or this many times what a draw of next to nothing costs, if that is more
 };
 
 /// Is the method wanted?

@@ -1,6 +1,7 @@
 #include "harness/bench/load.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "rasterizer/geometry.hpp"
@@ -101,7 +102,8 @@ Scene sceneOf(const Load& load, Task task, size_t triangles) {
   Scene scene;
   scene.name = load.name;
   scene.target.width = load.width, scene.target.height = load.height, scene.target.samples = load.samples;
-  scene.viewport.width = static_cast<float>(load.width), scene.viewport.height = static_cast<float>(load.height);
+  // A viewport of a power of two, larger than the target: positions in clip space are exact, and so are their snapped ones.
+  scene.viewport.width = static_cast<float>(std::bit_ceil(load.width)), scene.viewport.height = static_cast<float>(std::bit_ceil(load.height));
   triangles = std::min(triangles, load.triangles.size());
   const bool values = task != Task::Coverage;
   Attributes attributes = attributesOf(values ? triangles : 0);

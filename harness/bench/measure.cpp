@@ -73,18 +73,21 @@ size_t fewTriangles(const Load& load) {
   return static_cast<size_t>(std::clamp(50'000 / area, 1.0, 64.0));
 }
 
-/// Draws more and more triangles until a draw takes a good part of the time it may take.
-Result<void> probe(Runner& runner, const Load& load) {
+/// Draws more and more triangles until they take most of the time of a draw: what a draw costs anyway (a frame that is
+/// cleared, read back) must not pass for the cost of triangles.
+Result<void> probe(Runner& runner, const Load& load, double fixedParts) {
   Contender& contender = runner.contender;
   const size_t all = std::max<size_t>(1, load.triangles.size());
   size_t triangles = contender.whole ? all : std::min(all, fewTriangles(load));
-  double seconds = 0;
+  double fixed = -1, seconds = 0;
   for (;;) {
     const Result<std::vector<double>> drawn = contender.draw(triangles);
     if (!drawn) return tl::unexpected(drawn.error());
     seconds = std::max(1e-7, drawn->back());
-    if (triangles == all || seconds > contender.mostSeconds / 2) break;
-    const double more = std::clamp(0.75 * contender.mostSeconds / seconds, 1.2, 16.0);
+    fixed = fixed < 0 ? seconds : std::min(fixed, seconds);
+    const double goal = std::max(contender.mostSeconds, fixedParts * fixed);
+    if (triangles == all || seconds - fixed > goal / 2) break;
+    const double more = std::clamp(0.75 * goal / std::max(1e-7, seconds - fixed), 1.5, 16.0);
     triangles = std::min(all, static_cast<size_t>(static_cast<double>(triangles) * more) + 1);
   }
   const double covered = coveredSamples(load, triangles);
@@ -153,7 +156,7 @@ Result<std::vector<Row>> measure(const Load& load, Task task, const Settings& se
   for (Runner& runner : runners) {
     if (!runs(runner)) continue;
     progress(fmt::format("{}: how fast is {}?", place, runner.contender.rows[0].method));
-    if (const Result<void> probed = probe(runner, load); !probed) refuse(runner.contender, probed.error());
+    if (const Result<void> probed = probe(runner, load, settings.fixedParts); !probed) refuse(runner.contender, probed.error());
   }
   for (uint32_t r = 0; r < settings.rounds; ++r) {
     for (Runner& runner : runners) {

@@ -59,6 +59,7 @@ bench::Settings settingsOf(const BenchOptions& options) {
     settings.boxSamples = 1e6;
     settings.kernelSeconds = 0.004;
     settings.frameSeconds = 0.05;
+    settings.fixedParts = 1;
   }
   return settings;
 }
@@ -71,6 +72,7 @@ bench::Settings scalingSettings(const BenchOptions& options) {
   settings.boxSamples = 2e5;
   settings.kernelSeconds = std::min(settings.kernelSeconds, 0.02);
   settings.frameSeconds = std::min(settings.frameSeconds, 0.1);
+  settings.fixedParts = 1;
   return settings;
 }
 

@@ -101,10 +101,10 @@ std::string svgOf(const ScatterPlot& plot) {
     for (const double tick : x.ticks()) writeTickX(out, x.at(tick), tickText(tick));
 
   const std::vector<size_t> pareto = paretoOrder(plot.points);
-  fmt::format_to(out, "<path class=\"pareto\" d=\"");
+  fmt::format_to(out, "<path class=\"pareto\" d=\"");  // a staircase: below it everything is beaten
   for (size_t i = 0; i < pareto.size(); ++i)
-    fmt::format_to(out, "{}{:.1f} {:.1f}", i == 0 ? "M" : "L", xAt(plot.points[pareto[i]]), y.at(plot.points[pareto[i]].y));
-  fmt::format_to(out, "\"/>\n");
+    fmt::format_to(out, "{}{:.1f}{}{:.1f}", i == 0 ? "M" : "H", xAt(plot.points[pareto[i]]), i == 0 ? " " : "V", y.at(plot.points[pareto[i]].y));
+  fmt::format_to(out, "H{}\"/>\n", kRight);
 
   LabelPlacer labels(kLeft, kTop - 6, kPlotWidth - 2, kBottom);
   std::vector<size_t> order(plot.points.size());

@@ -10,7 +10,7 @@
 
 namespace rasterdiff::harness {
 
-inline constexpr int kPlotWidth = 440, kPlotHeight = 330;  ///< user units of one plot
+inline constexpr int kPlotWidth = 440, kPlotHeight = 400;  ///< user units of one plot
 
 /// Colour and shape of a point.
 enum class Mark : uint8_t { Exact, Inexact, Driver, Reference };

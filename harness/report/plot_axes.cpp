@@ -60,7 +60,7 @@ LabelPlacer::Place LabelPlacer::place(double x, double y, const std::string& tex
   };
   Box box = boxAt(0, false, kGap);
   bool left = false, moved = false;
-  for (int step = 0; step < 26; ++step) {
+  for (int step = 0; step < 90; ++step) {
     const double dy = (step % 2 == 0 ? 1 : -1) * ((step + 1) / 2) * 6.0, gap = step == 0 ? kGap : kGap + 9;
     const bool rightIsFree = isFree(boxAt(dy, false, gap));
     if (!rightIsFree && !isFree(boxAt(dy, true, gap))) continue;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 // g++ 12 sees an overlapping copy in its own std::string::replace (GCC bug 105651).
 #pragma GCC diagnostic ignored "-Wrestrict"
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
@@ -59,7 +60,8 @@ TEST_F(Bench, VerifiesAndTimesEveryKernelOfAWorkload) {
   for (const auto& row : rows) {
     EXPECT_GT(row.at("trianglesPerSecond").get<double>(), 0) << row;
     EXPECT_GT(row.at("error").at("covered").get<uint64_t>(), 1000U) << row;
-    if (row.at("exact").get<bool>()) EXPECT_EQ(row.at("error").at("wrong").get<uint64_t>(), 0U) << row;
+    const bool right = row.at("error").at("wrong").get<uint64_t>() == 0;
+    EXPECT_TRUE(right || !row.at("exact").get<bool>()) << row;
   }
   EXPECT_EQ(results.at("sampling").back().at("method"), "exact-area");
 }
@@ -72,7 +74,7 @@ TEST_F(Bench, ASceneFileIsDrawnByKernelsReferenceAndDriver) {
   for (const auto& row : results.at("loads").at(0).at("rows")) {
     methods.insert(row.at("method").get<std::string>());
     EXPECT_EQ(row.value("refused", ""), "");
-    if (row.contains("error")) EXPECT_EQ(row.at("error").at("wrong"), 0) << row;
+    EXPECT_TRUE(!row.contains("error") || row.at("error").at("wrong") == 0) << row;
   }
   EXPECT_EQ(methods, (std::set<std::string>{"spans", "render", "driver", "driver-whole"}));
   EXPECT_NE(results.at("driver").get<std::string>(), "");

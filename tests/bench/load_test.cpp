@@ -4,11 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "harness/bench/truth.hpp"
 #include "rasterizer/kernels/coverage_methods.hpp"
 #include "rasterizer/render.hpp"
-#include "scene/catalogue/catalogue.hpp"
+#include "scene/needs.hpp"
 
 namespace rasterdiff::harness::bench {
 namespace {

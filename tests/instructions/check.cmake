@@ -1,0 +1,33 @@
+# Counts the instructions of the coverage kernel under callgrind and fails above what instruction_counts.json records.
+# Needs VALGRIND, PROGRAM (count_instructions), RECORDED (the JSON file), COMPILER (id and version).
+file(READ "${RECORDED}" recorded)
+string(JSON recorded_compiler GET "${recorded}" compiler)
+string(JSON margin GET "${recorded}" marginPercent)
+if(NOT COMPILER STREQUAL recorded_compiler)
+  string(JSON margin GET "${recorded}" otherCompilerMarginPercent)
+  message(STATUS "recorded with ${recorded_compiler}, built with ${COMPILER}: the margin is ${margin} %")
+endif()
+string(JSON count LENGTH "${recorded}" instructions)
+math(EXPR last "${count} - 1")
+set(failed FALSE)
+foreach(i RANGE ${last})
+  string(JSON name MEMBER "${recorded}" instructions ${i})
+  string(JSON before GET "${recorded}" instructions "${name}")
+  execute_process(
+    COMMAND "${VALGRIND}" --tool=callgrind --callgrind-out-file=/dev/null "--toggle-collect=rasterdiff::rasterizer::drawCoverage(*"
+            "${PROGRAM}" "${name}"
+    RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT status EQUAL 0 OR NOT output MATCHES "Collected : ([0-9]+)")
+    message(FATAL_ERROR "${name}: no count\n${output}")
+  endif()
+  set(now ${CMAKE_MATCH_1})
+  math(EXPR percent "100 * ${now} / ${before}")
+  message(STATUS "${name}: ${now} instructions, ${percent} % of the recorded ${before}")
+  math(EXPR limit "${before} * (100 + ${margin}) / 100")
+  if(now GREATER limit)
+    set(failed TRUE)
+  endif()
+endforeach()
+if(failed)
+  message(FATAL_ERROR "more instructions than recorded plus ${margin} %; if that is meant, write the new numbers into\n${RECORDED}")
+endif()
