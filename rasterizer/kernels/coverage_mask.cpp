@@ -1,4 +1,4 @@
-// The mask's storage and its folding; drawing is in span_kernel.cpp.
+// The mask's storage; its folding is in mask_settle.cpp, drawing in span_kernel.cpp.
 #include "rasterizer/kernels/coverage_mask.hpp"
 
 #include <algorithm>
@@ -44,32 +44,6 @@ void CoverageMask::clear() {
 void CoverageMask::merge(const CoverageMask& other) {
   for (size_t i = 0; i < size(); ++i) words_[i] |= other.words_[i];
   for (size_t i = 0; i < full_.size(); ++i) full_[i] |= other.full_[i];
-}
-
-void CoverageMask::settle(uint32_t firstBlockRow, uint32_t endBlockRow) {
-  const size_t blockWords = kBlockHeight * locations_.size();
-  const uint32_t inLast = width_ % kBlockWidth;
-  const uint64_t keep = inLast == 0 ? ~uint64_t{0} : (uint64_t{1} << inLast) - 1;
-  for (uint32_t blockRow = firstBlockRow; blockRow < std::min(endBlockRow, blockRows()); ++blockRow) {
-    uint64_t* block = words_ + blockOffset(blockRow, 0, 0);
-    for (uint32_t h = 1; h < halfColumns_; h += 2) {
-      uint64_t* odd = block + h * blockWords;
-      for (size_t i = 0; i < blockWords; ++i) odd[i - blockWords] |= odd[i] << kBlockStep;
-      if (h + 1 < halfColumns_)
-        for (size_t i = 0; i < blockWords; ++i) odd[i + blockWords] |= odd[i] >> kBlockStep;
-      for (size_t i = 0; i < blockWords; ++i) odd[i] = 0;
-    }
-    for (uint32_t w = 0; w < halfColumns_ / 2; ++w)
-      if ((full_[w / 64 * fullStride() + blockRow] >> (w % 64) & 1) != 0)
-        std::fill_n(block + 2 * w * blockWords, blockWords, ~uint64_t{0});
-    for (size_t part = 0; part * 64 < halfColumns_ / 2; ++part) full_[part * fullStride() + blockRow] = 0;
-    uint64_t* last = block + (halfColumns_ - 2) * blockWords;
-    for (size_t i = 0; i < blockWords; ++i) last[i] &= keep;
-    for (uint32_t row = 0; row < kBlockHeight; ++row) {
-      if (blockRow * kBlockHeight + row < height_) continue;
-      for (size_t i = row; i < halfColumns_ * blockWords; i += kBlockHeight) block[i] = 0;
-    }
-  }
 }
 
 uint64_t CoverageMask::count() const {

@@ -51,14 +51,15 @@ HWY_NOINLINE void DrawMedium(const Batch<kSamples>& b, const typename Batch<kSam
   const DU du;
   const V zero = hn::Zero(d), one = hn::Set(d, 1), seven = hn::Set(d, 7), k32 = hn::Set(d, 32), k64 = hn::Set(d, 64);
   const V magic = hn::Set(d, 4503599627370496.0);  // 2^52: doubles from here hold an integer in their low bits
-  const V rowWords = hn::Set(d, target.rowWords), blockWords = hn::Set(d, target.blockWords);
+  // A block's word << 12 | its half column, as doubles: below 2^42.
+  const V rowCode = hn::Set(d, target.rowWords * (4096.0 / 8)), columnCode = hn::Set(d, target.blockWords * 4096 + 1);
   const auto nextWindow = hn::Set(du, static_cast<uint64_t>(2 * target.blockWords) << Touched::kWordShift |
                                           uint64_t{2} << Touched::kColumnShift);
   const auto nobody = hn::Set(du, reinterpret_cast<uintptr_t>(first.nobody)) + hn::ShiftLeft<6>(hn::Iota(du, 0));
   size_t size = 0;
   for (size_t k = 0; k < list.size; ++k) {
     const size_t i = list.places[k] & 0xFFFF, firstBlock = (list.places[k] >> 16) * kLanes;
-    const V blockRow = hn::Iota(d, 0) + hn::Set(d, kEights[firstBlock] / 8), row = blockRow * hn::Set(d, 8);
+    const V row = hn::Iota(d, 0) * hn::Set(d, 8) + hn::Set(d, kEights[firstBlock]);
     V start[3], low[3], high[3];
     for (size_t line = 0; line < 3; ++line) {
       const V slope = hn::Set(d, b.slope[line][i]);
@@ -73,17 +74,16 @@ HWY_NOINLINE void DrawMedium(const Batch<kSamples>& b, const typename Batch<kSam
     // A pixel more on each side for rounding.
     const V column = hn::Max(hn::Floor((left - one) * hn::Set(d, 1.0 / 32)), zero), x = column * k32;
     const V end = hn::Min(right + one, hn::Set(d, b.columns[i]));
-    const V words = hn::MulAdd(blockRow, rowWords, hn::MulAdd(column, blockWords, magic));
+    const auto block = hn::BitCast(du, hn::MulAdd(row, rowCode, hn::MulAdd(column, columnCode, magic)));
     const M inside = hn::And(hn::Lt(row, hn::Set(d, b.rows[i])), hn::Lt(x, end));  // not below or right of the box
-    auto code = hn::ShiftLeft<Touched::kWordShift>(hn::BitCast(du, words)) +
-                hn::ShiftLeft<Touched::kColumnShift>(hn::And(hn::BitCast(du, column + magic), hn::Set(du, 0xFFF))) +
-                hn::ShiftLeft<Touched::kRowShift>(hn::Iota(du, 0)) + hn::Set(du, firstBlock << Touched::kRowShift | i);
+    auto code = hn::ShiftLeft<Touched::kColumnShift>(block) + hn::ShiftLeft<Touched::kRowShift>(hn::Iota(du, 0)) +
+                hn::Set(du, firstBlock << Touched::kRowShift | i);
     V from = x;
     if constexpr (kSamples == 1) {
       const size_t n = first.size++;
       first.place[n] = i;
       const auto at = hn::Set(du, reinterpret_cast<uintptr_t>(target.words + b.block[i])) +
-                      hn::ShiftLeft<3>(hn::And(hn::BitCast(du, words), hn::Set(du, 0xFFFFFFFF)));
+                      hn::ShiftRight<9>(hn::And(block, hn::Set(du, 0xFFFFFFFFull << 12)));
       hn::Store(hn::IfThenElse(hn::RebindMask(du, inside), at, nobody), du, reinterpret_cast<uint64_t*>(first.block[n]));
       for (size_t line = 0; line < 3; ++line) hn::Store(start[line] - x, d, first.start[n][line]);
       if (first.size == FirstBlocks::kSize) DrawFirstBlocks<kSide>(b, first);

@@ -228,19 +228,23 @@ HWY_INLINE void SetUp(const SnappedTriangle* HWY_RESTRICT t, size_t base, const 
   const M rest = hn::AndNot(hn::And(small, near), inBox);
   if (HWY_LIKELY(hn::AllFalse(d, rest))) return;
   for (size_t side = 0; side < 2; ++side) {
-    const M mine = hn::And(rest, side == 0 ? side0 : side1);
-    const M moderate = hn::AndNot(large, mine);
-    Append(places, moderate, b.medium[side].places, b.medium[side].size);
+    const M moderate = hn::AndNot(large, hn::And(rest, side == 0 ? side0 : side1));
     V group = hn::Set(d, kGroupRows);
     auto code = places;
-    for (M more = hn::And(moderate, hn::Gt(down, group)); !hn::AllFalse(d, more); more = hn::And(moderate, hn::Gt(down, group))) {
-      code = code + hn::Set(DU(), uint64_t{1} << 16);
+    M more = moderate;
+    // Two groups without asking: whether there is a second one changes too often to be predicted.
+    for (size_t k = 0; k < 2 || HWY_UNLIKELY(!hn::AllFalse(d, more)); ++k) {
       Append(code, more, b.medium[side].places, b.medium[side].size);
+      code = code + hn::Set(DU(), uint64_t{1} << 16);
+      more = hn::And(moderate, hn::Gt(down, group));
       group = group + hn::Set(d, kGroupRows);
     }
-    Append(places, hn::And(large, mine), b.large[side].places, b.large[side].size);
   }
-  Append(places, hn::AndNot(near, inBox), b.far.places, b.far.size);
+  if (HWY_UNLIKELY(!hn::AllFalse(d, hn::And(rest, large)))) {
+    Append(places, hn::And(hn::And(rest, large), side0), b.large[0].places, b.large[0].size);
+    Append(places, hn::And(hn::And(rest, large), side1), b.large[1].places, b.large[1].size);
+  }
+  if (HWY_UNLIKELY(!hn::AllTrue(d, near))) Append(places, hn::AndNot(near, inBox), b.far.places, b.far.size);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -17,7 +17,7 @@ namespace HWY_NAMESPACE {
 /// from the first block. Bounds: 2^8 places, 2^12 block rows, 2^10 half columns, 2^30 words (32,768² px, 16 samples, scratch).
 struct Touched {
   static constexpr size_t kSize = 1024, kRoom = kSize - 16;
-  static constexpr int kRowShift = 8, kColumnShift = 20, kWordShift = 32;
+  static constexpr int kRowShift = 8, kColumnShift = 20, kWordShift = 32;  // word and column are adjacent
   uint64_t codes[kSize];
 };
 
