@@ -42,10 +42,14 @@ void addGeometry(RuleList& list, const Scene& scene, const PrimitiveExplanation&
   list.addIf(e.kind != Kind::Point && state.stippledLineEnable, Rule::LineStipple);
   list.addIf(e.kind == Kind::Point && leavesViewport(scene, e), Rule::PointClip);
   list.addIf(e.clipped, e.vertices == 2 ? Rule::LineClip : Rule::ViewVolume);
-  list.addIf(e.clipped && e.vertices == 3 && needsOf(scene).varyings > 0, Rule::ClipAttribute);
+  list.addIf(e.clipped && needsOf(scene).varyings > 0, Rule::ClipAttribute);
   list.addIf(e.clipped && e.vertices == 3 && needsOf(scene).varyings > 0, Rule::CutPolygon);
   const auto vertices = std::span(e.clip).first(e.vertices);
   list.addIf(std::ranges::any_of(vertices, [](const ClipPosition& p) { return p.w != 1; }), Rule::Division);
+}
+
+bool leavesDepthRange(const Draw& draw) {
+  return std::ranges::any_of(draw.positions, [](const ClipPosition& p) { return p.z < 0 || p.z > p.w; });
 }
 
 void addState(RuleList& list, const Scene& scene) {
@@ -60,13 +64,19 @@ void addState(RuleList& list, const Scene& scene) {
   list.addIf(!lineOrPoint && state.polygonMode != PolygonMode::FILL, Rule::PolygonMode);
   list.addIf(anyDraw([](const Draw& draw) { return draw.clipDistanceCount + draw.cullDistanceCount > 0; }), Rule::UserDistance);
   list.addIf(anyDraw([](const Draw& draw) { return draw.clipDistanceCount > 0; }), Rule::Partition);
-  list.addIf(state.depthClampEnable || state.depthClipEnable.has_value(), Rule::DepthClip);
-  list.addIf(state.negativeOneToOne, Rule::ViewVolume);
+  list.addIf(state.depthClampEnable || state.depthClipEnable.has_value() || anyDraw(leavesDepthRange), Rule::DepthClip);
+  list.addIf(state.negativeOneToOne || needsOf(scene).clipping, Rule::ViewVolume);
   list.addIf(scene.target.samples > 1, Rule::SamplePattern);
   list.addIf(scene.scissor.has_value() || !scene.furtherViewports.empty(), Rule::Scissor);
   list.addIf(state.sampleMask != State{}.sampleMask, Rule::SampleMask);
   list.addIf(state.alphaToCoverageEnable, Rule::AlphaToCoverage);
-  list.addIf(state.depthTestEnable, Rule::DepthTest);
+  list.addIf(scene.target.depthFormat.has_value(), Rule::DepthTest);
+  list.addIf(scene.scissor.has_value() || state.depthTestEnable, Rule::Invariance);
+  // What is drawn too large or too far away by a driver need not be near in the reference.
+  const bool bresenham = state.lineRasterizationMode == LineRasterizationMode::BRESENHAM;
+  const bool points = state.topology == PrimitiveTopology::POINT_LIST, edges = state.polygonMode == PolygonMode::LINE;
+  list.addIf(points || (!lineOrPoint && state.polygonMode == PolygonMode::POINT), Rule::PointSquare);
+  list.addIf((lineOrPoint && !points) || (!lineOrPoint && edges), bresenham ? Rule::LineBresenham : Rule::LineRectangle);
   list.add(Rule::ViewportMap);
 }
 
@@ -86,14 +96,11 @@ void addDepth(RuleList& list, const Scene& scene) {
 void addValues(RuleList& list, const Scene& scene) {
   if (!scene.draws.empty()) {
     for (const Varying& varying : scene.draws[0].varyings) {
-      switch (varying.interpolation) {
-        case Interpolation::flat: list.add(Rule::ProvokingVertex); break;
-        case Interpolation::centroid:
-        case Interpolation::sample: list.add(Rule::AttributeLocation); break;
-        case Interpolation::offset: list.add(Rule::InterpolationOffset); break;
-        default: break;
-      }
-      list.addIf(varying.interpolation != Interpolation::flat, Rule::Perspective);
+      const bool flat = varying.interpolation == Interpolation::flat;
+      list.addIf(flat, Rule::ProvokingVertex);
+      list.addIf(varying.interpolation == Interpolation::offset, Rule::InterpolationOffset);
+      list.addIf(!flat, Rule::Perspective);
+      list.addIf(!flat, Rule::AttributeLocation);
     }
   }
   for (const BuiltIn builtIn : scene.builtIns) {

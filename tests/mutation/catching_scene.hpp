@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <ostream>
 
 #include "catalogue_scenes.hpp"
 #include "harness/compare/compare.hpp"
@@ -11,6 +12,11 @@
 #include "rasterizer/render.hpp"
 
 namespace rasterdiff {
+namespace rasterizer {
+
+inline void PrintTo(const DeliberateErrorInfo& mutant, std::ostream* out) { *out << mutant.name; }
+
+}  // namespace rasterizer
 
 /// The reference with `error` in it, on the device that shows it.
 [[nodiscard]] inline rasterizer::Rules referenceWith(rasterizer::DeliberateError error) {

@@ -9,12 +9,6 @@
 #include "catching_scene.hpp"
 
 namespace rasterdiff {
-namespace rasterizer {
-
-void PrintTo(const DeliberateErrorInfo& mutant, std::ostream* out) { *out << mutant.name; }
-
-}  // namespace rasterizer
-
 namespace {
 
 using rasterizer::DeliberateError;
