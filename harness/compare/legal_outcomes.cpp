@@ -71,6 +71,51 @@ std::vector<std::pair<size_t, size_t>> sharedTies(std::span<const Candidate> can
   return pairs;
 }
 
+// Without a depth test: all that cover count, and the last of them wins. Exact for any number of ties, in linear time.
+class InDrawingOrder {
+ public:
+  InDrawingOrder(std::span<const Candidate> candidates, std::span<const std::pair<size_t, size_t>> ties)
+      : candidates_(candidates), partner_(candidates.size(), candidates.size()) {
+    for (const auto& [a, b] : ties) {
+      partner_[a] = b;
+      partner_[b] = a;
+    }
+  }
+
+  [[nodiscard]] bool reaches(uint32_t winner, uint32_t count) const {
+    if (winner == 0) return reachesWithLast(none(), count);
+    for (size_t i = 0; i < candidates_.size(); ++i) {
+      if (candidates_[i].primitive == winner && candidates_[i].coverage != Coverage::Out && reachesWithLast(i, count)) return true;
+    }
+    return false;
+  }
+
+ private:
+  [[nodiscard]] size_t none() const { return candidates_.size(); }
+
+  // `last` covers, or nothing does; nothing after it does; one of each pair does.
+  [[nodiscard]] bool reachesWithLast(size_t last, uint32_t count) const {
+    const auto isOut = [&](size_t i) { return last == none() || i > last; };
+    uint32_t fewest = 0, most = 0;
+    for (size_t i = 0; i < candidates_.size(); ++i) {
+      const size_t partner = partner_[i];
+      const bool paired = partner != none();
+      if (isOut(i)) {
+        if (paired ? isOut(partner) : candidates_[i].coverage == Coverage::In) return false;
+        continue;
+      }
+      if (candidates_[i].coverage == Coverage::Out || (paired && i != last && partner == last)) continue;
+      if (paired && i != last && !isOut(partner) && partner < i) continue;  // counted with its partner
+      ++most;
+      if (i == last || paired || candidates_[i].coverage == Coverage::In) ++fewest;
+    }
+    return fewest <= count && count <= most;
+  }
+
+  std::span<const Candidate> candidates_;
+  std::vector<size_t> partner_;  ///< none(): not on a shared edge
+};
+
 Freedom explanation(std::span<const Candidate> candidates) {
   Freedom freedom = Freedom::None;
   for (const Candidate& candidate : candidates) freedom = std::max(freedom, candidate.freedom);
@@ -89,6 +134,11 @@ Outcome judgeOutcome(const State& state, Bounds clearDepth, bool hasDepth, std::
     if (candidate.primitive == winner) outcome.winner = &candidate;
   }
   const std::vector<std::pair<size_t, size_t>> pairs = sharedTies(candidates);
+  if (!hasDepth || !state.depthTestEnable) {
+    outcome.legal = InDrawingOrder(candidates, pairs).reaches(winner, count);
+    if (outcome.legal) outcome.freedom = explanation(candidates);
+    return outcome;
+  }
   constexpr size_t kMostPairs = 16;  // 65,536 assignments; further pairs stay free
   const size_t decided = std::min(pairs.size(), kMostPairs);
   for (uint32_t assignment = 0; assignment < (1U << decided) && !outcome.legal; ++assignment) {

@@ -11,6 +11,7 @@ std::string stabilityJson(const stability::Results& results) {
       if (series.family != family.name) continue;
       Json points = Json::array();
       for (const stability::Point& p : series.points) {
+        if (!p.offered) continue;
         points.push_back({{"dial", p.dial}, {"cases", p.cases}, {"wrong", p.wrong}, {"maxUlp", jsonNumber(p.maxUlp)}, {"notFinite", p.notFinite}});
       }
       Json entry{{"method", series.method}, {"measure", series.values ? "values" : "coverage"}, {"judged", series.judged}};

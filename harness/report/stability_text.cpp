@@ -14,7 +14,7 @@ namespace {
 
 using namespace stability;
 
-constexpr int kNameWidth = 26, kCellWidth = 9;
+constexpr int kNameWidth = 32, kCellWidth = 10;
 
 void writeRow(std::string& text, const Series& series) {
   const auto out = std::back_inserter(text);
@@ -56,9 +56,11 @@ std::string dialText(double dial) {
 }
 
 std::string cellText(const Series& series, const Point& point) {
+  if (!point.offered) return "-";
   if (!series.values) return grouped(point.wrong);
   if (point.notFinite > 0) return "n/f!";
-  return fmt::format("{}{}", ulps(point.maxUlp), isBroken(series, point) ? "!" : "");
+  const std::string error = point.maxUlp < 1e5 ? ulps(point.maxUlp) : fmt::format("{:.1e}", point.maxUlp);
+  return fmt::format("{}{}", error, isBroken(series, point) ? "!" : "");
 }
 
 std::string breakText(const Series& series) {
@@ -93,6 +95,7 @@ std::string stabilityCsv(const Results& results) {
   std::string text = "family,dial,method,measure,cases,wrong,maxUlp,notFinite\n";
   for (const Series& series : results.series) {
     for (const Point& p : series.points) {
+      if (!p.offered) continue;
       fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{}\n", series.family, p.dial, series.method,
                      series.values ? "values" : "coverage", p.cases, p.wrong, p.maxUlp, p.notFinite);
     }

@@ -10,7 +10,7 @@ namespace rasterdiff::harness {
 
 /// "1", "256", "10k", "1e12": a value of a dial.
 [[nodiscard]] std::string dialText(double dial);
-/// One cell of a table: wrong samples, or the largest error in ULPs ("n/f": not finite; "!": broken).
+/// One cell of a table: wrong samples, or the largest error in ULPs ("n/f": not finite; "!": broken; "-": the driver does not draw it).
 [[nodiscard]] std::string cellText(const stability::Series& series, const stability::Point& point);
 /// "never", or the value of the dial.
 [[nodiscard]] std::string breakText(const stability::Series& series);

@@ -18,6 +18,7 @@ struct Point {
   uint64_t wrong = 0;      ///< samples whose coverage is wrong; of a driver's values: those outside of their interval
   double maxUlp = 0;       ///< of finite values
   uint64_t notFinite = 0;  ///< values
+  bool offered = true;     ///< the driver can draw it at all (large targets)
 };
 
 struct Series {

@@ -34,6 +34,10 @@ Result<std::vector<Series>> measureDriver(const Family& family, Subject& subject
   for (const double dial : family.values) {
     const Scene scene = family.make(dial);
     const Result<Frame> actual = subject.render(scene);
+    if (!actual && actual.error().code == ErrorCode::NotOffered) {
+      for (Series* series : {&coverage, &values}) series->points.push_back({.dial = dial, .offered = false});
+      continue;
+    }
     if (!actual) return tl::unexpected(actual.error());
     const Result<Frame> expected = rasterizer::render(scene, rules);
     if (!expected) return tl::unexpected(expected.error());

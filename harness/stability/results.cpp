@@ -15,7 +15,7 @@ std::vector<const Series*> seriesOf(const Results& results, std::string_view fam
   return found;
 }
 
-// family, method with '_' for ' ', values, judged, number of points, then five numbers a point; one line a series.
+// family, method with '_' for ' ', values, judged, number of points, then six numbers a point; one line a series.
 std::string recordOf(const std::vector<Series>& all) {
   std::string text;
   const auto out = std::back_inserter(text);
@@ -23,7 +23,7 @@ std::string recordOf(const std::vector<Series>& all) {
     std::string method = series.method;
     for (char& c : method) c = c == ' ' ? '_' : c;
     fmt::format_to(out, "{} {} {:d} {:d} {}", series.family, method, series.values, series.judged, series.points.size());
-    for (const Point& p : series.points) fmt::format_to(out, " {} {} {} {} {}", p.dial, p.cases, p.wrong, p.maxUlp, p.notFinite);
+    for (const Point& p : series.points) fmt::format_to(out, " {} {} {} {} {} {:d}", p.dial, p.cases, p.wrong, p.maxUlp, p.notFinite, p.offered);
     text += '\n';
   }
   return text;
@@ -41,7 +41,7 @@ Result<std::vector<Series>> readRecord(std::string_view text) {
     for (size_t i = 0; i < points && words; ++i) {
       Point& p = series.points.emplace_back();
       std::string ulps;
-      words >> p.dial >> p.cases >> p.wrong >> ulps >> p.notFinite;
+      words >> p.dial >> p.cases >> p.wrong >> ulps >> p.notFinite >> p.offered;
       p.maxUlp = std::strtod(ulps.c_str(), nullptr);  // a stream does not read "inf"
     }
     if (!words) return fail(ErrorCode::BadInput, "record", "the driver's process wrote no measurement");
