@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"CountTooLarge", {"check", "random/*", "--count", "999999999999"}, 2, "--seed", "rasterdiff check --help"},
         Refused{"SeedWithoutCount", {"check", "random/*", "--seed", "3"}, 2, "--count", "rasterdiff check --help"},
         Refused{"MissingSceneFile", {"check", "none/such.scene.json"}, 2, "none/such.scene.json", "rasterdiff check --help"},
-        Refused{"BadBatch", {"explain", "random/half-1x-w1@x", "0", "0"}, 2, "no batch", "rasterdiff list 'random/*'"},
+        Refused{"BadBatch", {"explain", "random/half-1x-w1@x", "0", "0"}, 2, "no batch", "rasterdiff list 'random*/*'"},
         Refused{"UnwritableJson", {"check", "fill/*", "--json", "/proc/none/x.json"}, 2, "cannot be written", "rasterdiff check --help"},
         Refused{"UnwritableReport", {"check", "fill/*", "--report", "/proc/none/x.html"}, 2, "cannot be written", "rasterdiff check --help"},
         Refused{"UnwritableFolder", {"render", "fill/*", "--with", "reference", "-o", "/proc/none"}, 2, "names", "rasterdiff list 'fill/*'"},

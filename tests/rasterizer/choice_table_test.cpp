@@ -7,7 +7,7 @@
 #include "rasterizer/edge_function.hpp"
 #include "rasterizer/sample_pattern.hpp"
 #include "rasterizer/snap.hpp"
-#include "support/scenes.hpp"
+#include "tests/support/scenes.hpp"
 
 namespace rasterdiff::rasterizer {
 namespace {
