@@ -9,6 +9,7 @@
 
 #include "hwy/highway.h"
 #include "rasterizer/kernels/value_kernel.hpp"
+#include "rasterizer/kernels/value_large-inl.h"
 #include "rasterizer/kernels/value_rows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -39,8 +40,12 @@ void DrawAll(const ValueTriangles& triangles, const ValueView& view) {
     SetUpBatch<P>(triangles, first, std::min(ValueBatch::kSize, triangles.positions.size() - first), view, b);
     for (size_t k = 0; k < b.size; ++k) {
       const size_t i = b.places[k];
-      if (HWY_LIKELY(b.far[i] == 0)) {
+      const bool large = P::kDepth && b.wide[i] != 0;
+      if (HWY_LIKELY(b.far[i] == 0 && !large)) {
         FindChunks<P>(view, b, i, number, chunks);
+      } else if (b.far[i] == 0) {
+        DrawChunks<P>(view, b, chunks, number);
+        DrawLarge<P>(view, b, i, number + static_cast<uint32_t>(i));
       } else {
         DrawChunks<P>(view, b, chunks, number);
         drawFarTriangle(triangles, first + i, view);
@@ -69,6 +74,7 @@ void DrawPlanes(const ValueTriangles& triangles, const ValueView& view) {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include <limits>
 #include <thread>
 #include <vector>
 
@@ -96,14 +102,19 @@ ValueView valueView(ValueTarget& target, uint32_t firstRow, uint32_t endRow) {
 
 void drawValues(const ValueTriangles& triangles, ValueTarget& target, unsigned threads) {
   constexpr uint32_t kLeastRows = 16;  // of a band
+  const size_t blockColumns = (target.width() + 63) / 64 + 8;
+  std::vector<float> farthest;
+  if (target.needs().depth) farthest.assign((target.height() + 7) / 8 * target.samples() * blockColumns, std::numeric_limits<float>::infinity());
   const auto drawBand = [&](uint32_t firstRow, uint32_t endRow) {
-    HWY_DYNAMIC_DISPATCH(DrawPlanes)(triangles, valueView(target, firstRow, endRow));
+    ValueView view = valueView(target, firstRow, endRow);
+    view.farthest = farthest.data(), view.blockColumns = blockColumns;
+    HWY_DYNAMIC_DISPATCH(DrawPlanes)(triangles, view);
     if (!target.varyings.empty()) shadeRows(triangles, target, firstRow, endRow);
   };
   if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
   threads = std::min(threads, std::max(1u, target.height() / kLeastRows));
   std::vector<std::thread> workers;
-  const auto bandStart = [&](unsigned k) { return static_cast<uint32_t>(uint64_t{target.height()} * k / threads); };
+  const auto bandStart = [&](unsigned k) { return k == threads ? target.height() : static_cast<uint32_t>(uint64_t{target.height()} * k / threads) / 8 * 8; };
   for (unsigned k = 1; k < threads; ++k) workers.emplace_back(drawBand, bandStart(k), bandStart(k + 1));
   drawBand(0, bandStart(1));
   for (std::thread& worker : workers) worker.join();

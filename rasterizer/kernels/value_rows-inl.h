@@ -7,6 +7,8 @@
 #define RASTERDIFF_VALUE_ROWS_INL_H
 #endif
 
+#include <algorithm>
+
 #include "rasterizer/kernels/value_setup-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -18,8 +20,8 @@ inline constexpr size_t kChunk = 8;  // pixels
 /// Chunks with a covered pixel, triangle by triangle: element of the planes | mask of pixels << 40 | place << 48.
 /// Elements < 2^14 · 2^4 · (2^14 + 2^4) < 2^33.
 struct Chunks {
-  static constexpr size_t kSize = 1024, kRoom = kSize - 16;
-  uint64_t codes[kSize];
+  static constexpr size_t kSize = 1024, kRoom = kSize - 16, kAhead = 32;
+  uint64_t codes[kSize + kAhead];
   double depth[kSize];  // at the chunk's first pixel
   size_t size = 0;
 };
@@ -63,31 +65,38 @@ HWY_INLINE hn::Vec<ChunkF> ChunkDepth(double chunk, double gx, size_t first) {
 #endif
 }
 
-/// Whole aligned chunks are loaded and stored: a load that overlaps a masked or a shifted store would wait for it.
-/// Writes pixels [i, i + kChunkLanes) of the planes where `mask` says so and depth passes.
+/// Writes pixels [i, i + kChunkLanes) of the planes where `mask` says so and depth passes. Whole vectors are stored: a load
+/// that follows a masked store of the same place would wait for it.
 template <class P>
 HWY_INLINE void WriteChunk(const ValueView& view, size_t i, hn::Mask<ChunkF> mask, hn::Vec<ChunkF> depth, uint32_t number) {
   const ChunkF df;
   const ChunkU du;
   if (P::kDepth) {
-    const auto old = hn::Load(df, view.depth + i);
+    const auto old = hn::LoadU(df, view.depth + i);
     mask = hn::And(mask, hn::Lt(depth, old));
-    hn::Store(hn::IfThenElse(mask, depth, old), df, view.depth + i);
+    hn::StoreU(hn::IfThenElse(mask, depth, old), df, view.depth + i);
   }
   const auto which = hn::RebindMask(du, mask);
-  if (P::kPrimitive) hn::Store(hn::IfThenElse(which, hn::Set(du, number), hn::Load(du, view.primitive + i)), du, view.primitive + i);
+  if (P::kPrimitive) hn::StoreU(hn::IfThenElse(which, hn::Set(du, number), hn::LoadU(du, view.primitive + i)), du, view.primitive + i);
   if (P::kCount) {
-    const auto old = hn::Load(du, view.count + i);
-    hn::Store(hn::IfThenElse(which, old + hn::Set(du, 1), old), du, view.count + i);
+    const auto old = hn::LoadU(du, view.count + i);
+    hn::StoreU(hn::IfThenElse(which, old + hn::Set(du, 1), old), du, view.count + i);
   }
 }
 
-/// `number` of the triangle at place 0.
+/// `number` of the triangle at place 0. Lines are fetched some chunks ahead: triangles come from all over the target.
 template <class P>
 HWY_NOINLINE void DrawChunks(const ValueView& view, const ValueBatch& b, Chunks& chunks, uint32_t number) {
+  if (chunks.size == 0) return;
+  const auto elementOf = [](uint64_t code) { return code & ((uint64_t{1} << 40) - 1); };
+  std::fill_n(chunks.codes + chunks.size, Chunks::kAhead, chunks.codes[0]);
   for (size_t k = 0; k < chunks.size; ++k) {
     const uint64_t code = chunks.codes[k];
-    const size_t element = code & ((uint64_t{1} << 40) - 1), place = code >> 48;
+    const size_t ahead = elementOf(chunks.codes[k + Chunks::kAhead]);
+    if (P::kDepth) __builtin_prefetch(view.depth + ahead, 1);
+    if (P::kPrimitive) __builtin_prefetch(view.primitive + ahead, 1);
+    if (P::kCount) __builtin_prefetch(view.count + ahead, 1);
+    const size_t element = elementOf(code), place = code >> 48;
     const auto bits = static_cast<uint32_t>(code >> 40 & 0xFF);
     for (size_t first = 0; first < kChunk; first += kChunkLanes) {
       hn::Vec<ChunkF> depth = hn::Zero(ChunkF());
@@ -121,7 +130,7 @@ template <class P>
 HWY_INLINE void FindChunks(const ValueView& view, const ValueBatch& b, size_t i, uint32_t number, Chunks& chunks) {
   const D d;
   const DU du;
-  const V two52 = hn::Set(d, 4503599627370496.0), eight = hn::Set(d, 8), eighth = hn::Set(d, 0.125);
+  const V two52 = hn::Set(d, 4503599627370496.0), eight = hn::Set(d, 8);
   const V endRow = hn::Set(d, b.endRow[i]);
   const auto low40 = hn::Set(du, (uint64_t{1} << 40) - 1), place = hn::Set(du, uint64_t{i} << 48);
   const double rowElements = static_cast<double>(view.samples * view.stride);
@@ -130,7 +139,7 @@ HWY_INLINE void FindChunks(const ValueView& view, const ValueBatch& b, size_t i,
     for (size_t s = 0; s < view.samples; ++s) {
       V begin, end;
       RowBounds(b, i, s, r, begin, end);
-      V column = hn::Floor(begin * eighth) * eight;  // of the chunk
+      V column = begin;
       M more = hn::And(hn::Lt(begin, end), hn::Lt(r, endRow));
       const V element = hn::MulAdd(r, hn::Set(d, rowElements), hn::Set(d, static_cast<double>(s * view.stride))) + two52;
       V rowDepth = hn::Zero(d);

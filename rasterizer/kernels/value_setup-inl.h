@@ -29,6 +29,8 @@ HWY_BEFORE_NAMESPACE();
 namespace rasterdiff::rasterizer {
 namespace HWY_NAMESPACE {
 
+inline constexpr double kWidePixels = 128;
+
 /// Lines and depth planes of up to kSize triangles; index = place in the batch.
 struct ValueBatch {
   static constexpr size_t kSize = 64, kSamples = 16;
@@ -39,7 +41,8 @@ struct ValueBatch {
   alignas(64) double firstColumn[kSize], endColumn[kSize], firstRow[kSize], endRow[kSize];  // clipped box
   size_t size = 0;
   uint64_t places[kSize + 8];  // of what is to be drawn, in order
-  alignas(64) uint64_t far[kSize];  // ~0: beyond the fast range
+  alignas(64) uint64_t far[kSize];   // ~0: beyond the fast range
+  alignas(64) uint64_t wide[kSize];  // ~0: some row is kWidePixels or longer
 };
 
 HWY_INLINE V LoadThree(const float* HWY_RESTRICT values, size_t vertex) {
@@ -113,6 +116,9 @@ HWY_INLINE void SetUpValues(const SnappedTriangle* HWY_RESTRICT t, const float* 
           hn::IfThenElse(flatBottom, steep * (bottom - half), hn::MulAdd(nC - half, pC, half)));
   }
   hn::Store(hn::BitCast(DU(), hn::VecFromMask(d, hn::Not(near))), DU(), b.far + base);
+  // The longest row is that of the middle vertex: |area| / dyA subpixels.
+  const M wide = hn::Ge(hn::Abs(area), hn::Set(d, 256 * kWidePixels) * dyA);
+  hn::Store(hn::BitCast(DU(), hn::VecFromMask(d, wide)), DU(), b.wide + base);
   const M drawn = hn::And(inBox, hn::Or(hn::Not(near), hn::Ne(area, zero)));
   Append(hn::Iota(DU(), 0) + hn::Set(DU(), base), drawn, b.places, b.size);
 }

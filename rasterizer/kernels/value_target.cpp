@@ -21,7 +21,7 @@ Result<ValueTarget> ValueTarget::create(uint32_t width, uint32_t height, uint32_
 
 ValueTarget::ValueTarget(uint32_t width, uint32_t height, std::span<const SampleLocation> locations, ValueNeeds needs)
     : width_(width), height_(height), locations_(locations), needs_(needs) {
-  const size_t size = stride() * height * locations.size() + kValuePadding;
+  const size_t size = stride() * height * locations.size();
   if (needs.primitive) primitive.resize(size);
   if (needs.count) count.resize(size);
   if (needs.depth) depth.resize(size, 1.0F);

@@ -52,8 +52,7 @@ template <class T>
 using ValueRows = std::vector<T, LineAllocator<T>>;
 
 /// Planes of uint32 or float32, sample rows below one another: sample s of pixel (x, y) is element
-/// (y · samples + s) · stride + x. Rows start at cache lines; what lies behind `width`, and kValuePadding elements behind
-/// the last row, are scratch.
+/// (y · samples + s) · stride + x. Rows start at cache lines; at least kValuePadding elements behind `width` are scratch.
 class ValueTarget {
  public:
   static constexpr size_t kValuePadding = 16;
@@ -67,7 +66,7 @@ class ValueTarget {
   [[nodiscard]] uint32_t samples() const { return static_cast<uint32_t>(locations_.size()); }
   [[nodiscard]] const ValueNeeds& needs() const { return needs_; }
   [[nodiscard]] std::span<const SampleLocation> locations() const { return locations_; }
-  [[nodiscard]] size_t stride() const { return (size_t{width_} + 15) / 16 * 16; }
+  [[nodiscard]] size_t stride() const { return (size_t{width_} + kValuePadding + 15) / 16 * 16; }
   [[nodiscard]] size_t index(uint32_t x, uint32_t y, uint32_t s) const { return (size_t{y} * samples() + s) * stride() + x; }
 
   ValueRows<uint32_t> primitive, count;

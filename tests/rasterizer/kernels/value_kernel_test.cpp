@@ -130,6 +130,30 @@ TEST(ValueKernel, EveryInstructionSetAndThreadCountDrawsTheSameBits) {
   }
 }
 
+/// Wide triangles leave hidden blocks out; alone, each draws all of its pixels.
+TEST(ValueKernel, HiddenBlocksChangeNothing) {
+  Prng random(31);
+  const ValueLoad load = testing::makeLoad(some(testing::hardFamilies(700, 300)[6], 60, random), {}, random);
+  for (const uint32_t samples : {1u, 4u}) {
+    auto together = *ValueTarget::create(700, 300, samples, {true, true, true, 0}), apart = together;
+    drawValues(load.view(), together);
+    for (size_t t = 0; t < load.positions.size(); ++t) {
+      const ValueLoad one{{load.positions[t]}, {load.depth.begin() + static_cast<std::ptrdiff_t>(3 * t), load.depth.begin() + static_cast<std::ptrdiff_t>(3 * t + 3)}, {}, {}, {}};
+      auto alone = *ValueTarget::create(700, 300, samples, {true, true, true, 0});
+      drawValues(one.view(), alone);
+      for (uint32_t y = 0; y < 300; ++y)
+        for (uint32_t s = 0; s < samples; ++s)
+          for (size_t i = apart.index(0, y, s); i < apart.index(700, y, s); ++i) {
+            if (alone.primitive[i] == 0 || !(alone.depth[i] < apart.depth[i])) continue;
+            apart.depth[i] = alone.depth[i];
+            apart.primitive[i] = static_cast<uint32_t>(t + 1);
+            ++apart.count[i];
+          }
+    }
+    EXPECT_EQ(together.differing(apart), 0u) << samples;
+  }
+}
+
 TEST(ValueKernel, TheNearerOfTwoTrianglesWinsAndTheFirstOfTwoAlike) {
   Prng random(1);
   const SnappedTriangle t{{SubpixelPosition{0, 0}, {8192, 0}, {0, 8192}}};
