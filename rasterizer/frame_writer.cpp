@@ -93,12 +93,36 @@ std::span<const RowSpan> FrameWriter::masked(std::span<const RowSpan> spans) {
 }
 
 void FrameWriter::fillCoverage(uint32_t primitive, int32_t y, std::span<const RowSpan> spans) {
+  const bool firstWins = error_ == DeliberateError::FirstWins;
+  uint64_t replaced = 0;
   for (size_t s = 0; s < spans.size(); ++s) {
-    for (int32_t x = spans[s].begin; x < spans[s].end; ++x) {
-      writeSample(primitive, frame_.primitive.index(static_cast<uint32_t>(x), static_cast<uint32_t>(y), static_cast<uint32_t>(s)),
-                  nullptr, nullptr);
+    if (spans[s].empty()) continue;
+    const size_t first = frame_.primitive.index(static_cast<uint32_t>(spans[s].begin), static_cast<uint32_t>(y), static_cast<uint32_t>(s));
+    uint32_t* const winner = frame_.primitive.data.data() + first;
+    uint32_t* const count = frame_.count.data.data() + first;
+    const size_t end = static_cast<size_t>(spans[s].length()) * spans.size();
+    for (size_t i = 0; i < end; i += spans.size()) {
+      const bool again = winner[i] != 0;
+      replaced += again ? 1 : 0;
+      ++count[i];
+      winner[i] = again && firstWins ? winner[i] : primitive;
     }
   }
+  counts_[Rule::Order] += replaced;
+}
+
+void FrameWriter::expect(int32_t x, int32_t firstRow, int32_t lastRow) const {
+#if defined(__GNUC__)
+  const auto column = static_cast<uint32_t>(std::clamp(x, 0, static_cast<int32_t>(frame_.width) - 1));
+  for (int32_t y = firstRow; y <= lastRow; ++y) {
+    const size_t i = frame_.primitive.index(column, static_cast<uint32_t>(y), 0);
+    __builtin_prefetch(&frame_.primitive.data[i], 1);
+    __builtin_prefetch(&frame_.count.data[i], 1);
+    if (!frame_.depth) continue;
+    __builtin_prefetch(&frame_.depth->data[i], 1);
+    __builtin_prefetch(&frame_.depthBounds->data[i], 1);
+  }
+#endif
 }
 
 void FrameWriter::writeRow(uint32_t primitive, PieceValues& values, int32_t y, std::span<const RowSpan> rasterized) {

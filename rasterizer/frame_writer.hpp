@@ -15,6 +15,10 @@ class FrameWriter {
   FrameWriter(const Scene& scene, const SceneNeeds& needs, const Rules& rules, std::vector<SubpixelPosition> pattern,
               RuleCounts& counts);
 
+  /// Fetches what the next piece will write, from pixel x of its rows [firstRow, lastRow]; meshes are drawn in no order
+  /// that memory would like. Rows have to be inside the target.
+  void expect(int32_t x, int32_t firstRow, int32_t lastRow) const;
+
   /// One row of one piece: spans[s] are the pixels whose sample s is covered.
   void writeRow(uint32_t primitive, PieceValues& values, int32_t y, std::span<const RowSpan> spans);
 

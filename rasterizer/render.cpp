@@ -39,8 +39,10 @@ class Renderer {
     area_ = region_.area;
     for (const SetupTriangle& piece : primitive.pieces) {
       if (piece.culled) continue;
+      const Box box = boxOf(primitive, piece);
+      expect(box);
       values_.setUp(primitive, piece);
-      countInterpolation(primitive, drawPiece(primitive, piece));
+      countInterpolation(primitive, drawPiece(primitive, piece, box));
     }
     for (const Figure& figure : primitive.figures) drawFigure(primitive, figure);
     if (open_ && primitive.unprojectable) markEverything();
@@ -50,18 +52,34 @@ class Renderer {
   Frame take() { return writer_.take(); }
 
  private:
-  // Returns the number of samples inside.
-  uint64_t drawPiece(const Primitive& primitive, const SetupTriangle& piece) {
-    SubpixelPosition low = primitive.polygon[piece.corner[0]].snapped, high = low;
+  static constexpr int32_t kExpectedRows = 16;  // of taller pieces the processor fetches the rest by itself
+
+  struct Box {
+    SubpixelPosition low, high;
+  };
+
+  [[nodiscard]] static Box boxOf(const Primitive& primitive, const SetupTriangle& piece) {
+    Box box{primitive.polygon[piece.corner[0]].snapped, primitive.polygon[piece.corner[0]].snapped};
     for (const uint8_t corner : piece.corner) {
       const SubpixelPosition& p = primitive.polygon[corner].snapped;
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
     }
+    return box;
+  }
+
+  void expect(const Box& box) {
+    const int32_t first = std::max(box.low.y >> kSubpixelBits, whole_.top);
+    const int32_t last = std::min(box.high.y >> kSubpixelBits, whole_.bottom - 1);
+    if (last - first < kExpectedRows) writer_.expect(box.low.x >> kSubpixelBits, first, last);
+  }
+
+  // Returns the number of samples inside.
+  uint64_t drawPiece(const Primitive& primitive, const SetupTriangle& piece, const Box& box) {
     const auto pixel = [](int32_t v) { return v >> kSubpixelBits; };
-    const SampleArea writable = region_.of({pixel(low.x), pixel(low.y), pixel(high.x - 1), pixel(high.y - 1)});
-    const int32_t first = std::max(pixel(low.y), whole_.top);
-    const int32_t last = std::min(pixel(high.y), whole_.bottom - 1);
+    const SampleArea writable = region_.of({pixel(box.low.x), pixel(box.low.y), pixel(box.high.x - 1), pixel(box.high.y - 1)});
+    const int32_t first = std::max(pixel(box.low.y), whole_.top);
+    const int32_t last = std::min(pixel(box.high.y), whole_.bottom - 1);
     uint64_t inside = 0, ties = 0;
     for (int32_t y = first; y <= last; ++y) {
       int64_t covered = 0;

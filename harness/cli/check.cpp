@@ -9,6 +9,7 @@
 
 #include "harness/cli/check_worker.hpp"
 #include "harness/cli/isolated.hpp"
+#include "harness/cli/memory.hpp"
 #include "harness/cli/message.hpp"
 #include "harness/cli/progress.hpp"
 #include "harness/cli/rule_choice.hpp"
@@ -126,6 +127,7 @@ int openFailed(const PoolOutcome& outcome) {
 }  // namespace
 
 int runVerb(const CheckOptions& options) {
+  keepFreedMemory();  // of this process and of its workers
   const auto start = std::chrono::steady_clock::now();
   if (const Result<void> known = checkRulesName(options.choice.rules); !known) {
     return complain(known.error(), "rasterdiff check --help");

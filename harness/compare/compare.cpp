@@ -1,6 +1,8 @@
 #include "harness/compare/compare.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstring>
 #include <fmt/format.h>
 #include <optional>
 #include <span>
@@ -21,6 +23,7 @@ using rasterizer::Candidate;
 using rasterizer::Freedom;
 using rasterizer::SampleQuery;
 
+constexpr size_t kStretch = 128;                     // samples
 constexpr size_t kQueriesAtOnce = size_t{1} << 18;  // bounds the memory of evidence
 
 std::string describe(uint32_t primitive) { return primitive == 0 ? "none" : fmt::format("primitive {}", primitive); }
@@ -47,6 +50,8 @@ class Comparison {
     result_.samples = reference_.primitive.data.size();
     const size_t samples = reference_.samples, width = reference_.width;
     for (size_t i = 0; i < result_.samples; ++i) {
+      while (i + kStretch <= result_.samples && sameStretch(i)) i += kStretch;
+      if (i == result_.samples) break;
       const uint32_t winner = reference_.primitive.data[i];
       if (winner != 0) ++result_.coveredSamples;
       const bool same = winner == actual_.primitive.data[i] && reference_.count.data[i] == actual_.count.data[i];
@@ -75,6 +80,31 @@ class Comparison {
   }
 
  private:
+  // Are all planes of the samples [first, first + kStretch) equal in every bit? Most of most frames is, and is counted at once.
+  bool sameStretch(size_t first) {
+    const auto equal = [&](const auto& a, const auto& b) {
+      const size_t from = first * a.components, count = kStretch * a.components;
+      return std::memcmp(a.data.data() + from, b.data.data() + from, count * sizeof(a.data[0])) == 0;
+    };
+    if (first < differentUntil_) return false;
+    bool same = equal(reference_.primitive, actual_.primitive) && equal(reference_.count, actual_.count) &&
+                (!reference_.depth || equal(*reference_.depth, *actual_.depth));
+    for (size_t v = 0; same && v < reference_.varyings.size(); ++v)
+      same = equal(reference_.varyings[v].values, actual_.varyings[v].values);
+    if (!same) {
+      differentUntil_ = first + kStretch;
+      return false;
+    }
+    const auto begin = reference_.primitive.data.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto drawn = static_cast<uint64_t>(kStretch) - static_cast<uint64_t>(std::count(begin, begin + kStretch, 0U));
+    result_.coveredSamples += drawn;
+    result_.same += kStretch;
+    size_t plane = 0;
+    if (reference_.depth) values_[plane++].addSame(drawn);
+    for (const VaryingPlane& varying : reference_.varyings) values_[plane++].addSame(drawn * varying.values.components);
+    return true;
+  }
+
   // Lines and points that outline one triangle may cover a sample together, and which of them do is a freedom.
   [[nodiscard]] bool mayOverlapItself() const { return rules_.openValues() && scene_.state.polygonMode != PolygonMode::FILL; }
 
@@ -303,6 +333,7 @@ class Comparison {
   Bounds clearDepth_;
   const bool wholePixels_ = coversWholePixels(scene_);
   std::vector<ValueAccumulator> values_;  // depth, varyings, built-ins, resolved planes
+  size_t differentUntil_ = 0;          // where the stretch ends in which some bit is another
   std::vector<SampleQuery> queries_;   // winner or count is another
   std::vector<SampleQuery> overlaps_;  // values are others, and another part of the winner may be there
   std::vector<SampleDifference> differing_, allowed_;

@@ -17,6 +17,11 @@ class ValueAccumulator {
   };
   /// A value where both sides drew the same primitive.
   void add(const Place& place, float expected, float actual, Bounds legal);
+  /// As many values that are alike in every bit.
+  void addSame(uint64_t count) {
+    stats_.compared += count;
+    stats_.same += count;
+  }
   /// A value where neither side drew: the driver has to leave the clear value, which in a fixed-point attachment may be
   /// either of two.
   void addUndrawn(const Place& place, float clear, float actual, Bounds legal);
