@@ -72,7 +72,7 @@ SnappedTriangle frontFacing(Point* p) {
 }  // namespace
 
 Workload randomTriangles(std::string name, size_t count, double area, uint32_t width, uint32_t height) {
-  Workload load{std::move(name), fmt::format("{} random triangles of {} px", count, area), width, height, {}};
+  Workload load{std::move(name), fmt::format("random triangles of {} px", area), width, height, {}};
   Random random(0x5EED);
   const bool large = area * 16 > double{1} * width * height;
   load.triangles.reserve(count);
@@ -92,7 +92,7 @@ Workload randomTriangles(std::string name, size_t count, double area, uint32_t w
 }
 
 Workload slivers(std::string name, size_t count, double length, double thickness, uint32_t width, uint32_t height) {
-  Workload load{std::move(name), fmt::format("{} slivers of {} x {} px", count, length, thickness), width, height, {}};
+  Workload load{std::move(name), fmt::format("slivers of {} x {} px", length, thickness), width, height, {}};
   Random random(0x5EED);
   load.triangles.reserve(count);
   while (load.triangles.size() < count) {

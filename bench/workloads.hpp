@@ -14,7 +14,7 @@ namespace rasterdiff::bench {
 
 struct Workload {
   std::string name;     ///< "W1" … "W5"; W4 is "W4a" (about 1.6 pixels a triangle) and "W4b" (about 30)
-  std::string what;     ///< one line for people
+  std::string what;     ///< for people, what the triangles are: "random triangles of 10 px"
   uint32_t width = 1920, height = 1080;
   std::vector<rasterizer::SnappedTriangle> triangles;  ///< clockwise on a y-down screen
 };

@@ -70,7 +70,7 @@ Load loadOf(const Scene& scene) {
       load.triangles.push_back(t);
     }
   });
-  load.what = "triangles of a scene, after clipping";
+  load.what = "triangles after clipping";
   if (figures) load.note = "lines and points are drawn by the reference and the driver only";
   if (testsFragments(scene)) {
     load.note += std::string(load.note.empty() ? "" : "; ") +

@@ -48,8 +48,8 @@ void writeRow(Out out, const Row& row, const LoadResult& load) {
 }
 
 void writeLoad(Out out, const LoadResult& load) {
-  fmt::format_to(out, "<h2>{}<small>{}; {} × {} pixels, {}, {}</small></h2>\n", escaped(load.name), escaped(load.what), load.width,
-                 load.height, counted(load.samples, "sample"), counted(load.triangles, "triangle"));
+  fmt::format_to(out, "<h2>{}<small>{} {}; {} × {} pixels, {}</small></h2>\n", escaped(load.name), grouped(load.triangles), escaped(load.what),
+                 load.width, load.height, counted(load.samples, "sample"));
   if (!load.note.empty()) fmt::format_to(out, "<p class=\"soft\">{}</p>\n", escaped(load.note));
   fmt::format_to(out, "<div class=\"scroll\"><table><thead>");
   const Row* previous = nullptr;

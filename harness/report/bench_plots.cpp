@@ -45,7 +45,7 @@ std::vector<std::string> loadPlots(const Results& results) {
     for (const Task task : {Task::Coverage, Task::Depth, Task::Varyings}) {
       ScatterPlot plot;
       plot.title = fmt::format("{}: {}", load.name, toString(task));
-      plot.subtitle = fmt::format("{}; {} x {}, {}", load.what, load.width, load.height, counted(load.samples, "sample"));
+      plot.subtitle = fmt::format("{} {}; {} x {}, {}", grouped(load.triangles), load.what, load.width, load.height, counted(load.samples, "sample"));
       bool values = false;
       for (const Row& row : load.rows) {
         if (row.task != task || !row.timing || !row.error) continue;

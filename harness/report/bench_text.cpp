@@ -35,8 +35,8 @@ void writeRow(Out out, const Row& row, const LoadResult& load) {
 }
 
 void writeLoad(Out out, const LoadResult& load) {
-  fmt::format_to(out, "\n{}  {}; {} x {} pixels, {}, {}\n", load.name, load.what, load.width, load.height,
-                 counted(load.samples, "sample"), counted(load.triangles, "triangle"));
+  fmt::format_to(out, "\n{}  {} {}; {} x {} pixels, {}\n", load.name, grouped(load.triangles), load.what, load.width,
+                 load.height, counted(load.samples, "sample"));
   if (!load.note.empty()) fmt::format_to(out, "  note: {}\n", load.note);
   const Row* previous = nullptr;
   for (const Row& row : load.rows) {

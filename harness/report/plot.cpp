@@ -18,10 +18,10 @@ constexpr double kLeft = 50, kRight = kPlotWidth - 12, kTop = 46, kBottom = kPlo
 constexpr double kZeroWidth = 128;  // of the column for x = 0
 
 constexpr const char* kStyle = R"(.plot, .sheet { --p-ink: #1b1d22; --p-soft: #666b76; --p-grid: #e2e2dc; --p-exact: #2c7a57; --p-inexact: #a36a00;
-  --p-driver: #c81e33; --p-reference: #6a3fb0; --p-line: #7cc4a0; font: 11px ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace; }
+  --p-driver: #c81e33; --p-reference: #6a3fb0; --p-line: #7cc4a0; --p-card: #ffffff; font: 11px ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace; }
 @media (prefers-color-scheme: dark) { .plot, .sheet { --p-ink: #e9eaee; --p-soft: #9aa1ae; --p-grid: #2d313a; --p-exact: #68c79a; --p-inexact: #f0bd3a;
-  --p-driver: #ff6b7a; --p-reference: #b79bff; --p-line: #3f8f6a; } }
-.plot text { fill: var(--p-ink); } .plot .soft { fill: var(--p-soft); } .plot .title { font-size: 14px; font-weight: 700; }
+  --p-driver: #ff6b7a; --p-reference: #b79bff; --p-line: #3f8f6a; --p-card: #1c1f25; } }
+.plot text { fill: var(--p-ink); stroke: var(--p-card); stroke-width: 3; paint-order: stroke; } .plot .soft { fill: var(--p-soft); } .plot .title { font-size: 14px; font-weight: 700; }
 .plot .grid { stroke: var(--p-grid); stroke-width: 1; } .plot .lead { stroke: var(--p-soft); stroke-width: 0.7; }
 .plot .pareto { fill: none; stroke: var(--p-line); stroke-width: 2; stroke-linejoin: round; }
 .plot .Exact { fill: var(--p-exact); } .plot .Inexact { fill: var(--p-inexact); }
@@ -70,6 +70,23 @@ void writeTickX(Out out, double x, const std::string& text) {
                  x, kTop, kBottom, kBottom + 15, text);
 }
 
+/// Labels of the column for x = 0: in the order of their points, so that the lines to them do not cross.
+void writeZeroLabels(Out out, const ScatterPlot& plot, double x, const LogAxis& axis, LabelPlacer& labels) {
+  constexpr double kGap = 18, kSpacing = 12.5;
+  std::vector<const PlotPoint*> points;
+  for (const PlotPoint& point : plot.points)
+    if (!(point.x > 0)) points.push_back(&point);
+  std::ranges::sort(points, [](const PlotPoint* a, const PlotPoint* b) { return a->y > b->y; });
+  std::vector<double> wanted;
+  for (const PlotPoint* point : points) wanted.push_back(axis.at(point->y));
+  const std::vector<double> heights = spread(wanted, kSpacing, kTop, kBottom - 6);
+  for (size_t i = 0; i < points.size(); ++i) {
+    fmt::format_to(out, "<path class=\"lead\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x, wanted[i],
+                   x + kGap - 2, heights[i], x + kGap, heights[i] + 4, escaped(points[i]->label));
+    labels.avoid(x + kGap, heights[i], points[i]->label);
+  }
+}
+
 }  // namespace
 
 std::vector<size_t> paretoOrder(std::span<const PlotPoint> points) {
@@ -107,19 +124,18 @@ std::string svgOf(const ScatterPlot& plot) {
   fmt::format_to(out, "H{}\"/>\n", kRight);
 
   LabelPlacer labels(kLeft, kTop - 6, kPlotWidth - 2, kBottom);
-  std::vector<size_t> order(plot.points.size());
-  std::iota(order.begin(), order.end(), size_t{0});
-  std::ranges::sort(order, [&](size_t a, size_t b) { return plot.points[a].y > plot.points[b].y; });
-  for (const size_t i : order) labels.avoid(xAt(plot.points[i]), y.at(plot.points[i].y));
-  for (const size_t i : order) {
-    const PlotPoint& point = plot.points[i];
+  for (const PlotPoint& point : plot.points) labels.avoid(xAt(point), y.at(point.y));
+  writeZeroLabels(out, plot, zero, y, labels);
+  for (const PlotPoint& point : plot.points) {
     const double px = xAt(point), py = y.at(point.y);
-    const LabelPlacer::Place place = labels.place(px, py, point.label);
-    if (place.moved)
-      fmt::format_to(out, "<path class=\"lead\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>", px, py, place.x + (place.toLeft ? 2 : -2), place.y - 4);
+    if (point.x > 0) {
+      const LabelPlacer::Place place = labels.place(px, py, point.label);
+      if (place.moved)
+        fmt::format_to(out, "<path class=\"lead\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>", px, py, place.x + (place.toLeft ? 2 : -2), place.y - 4);
+      fmt::format_to(out, "<text x=\"{:.1f}\" y=\"{:.1f}\"{}>{}</text>\n", place.x, place.y, place.toLeft ? " text-anchor=\"end\"" : "",
+                     escaped(point.label));
+    }
     writeMark(out, px, py, point.mark);
-    fmt::format_to(out, "<text x=\"{:.1f}\" y=\"{:.1f}\"{}>{}</text>\n", place.x, place.y, place.toLeft ? " text-anchor=\"end\"" : "",
-                   escaped(point.label));
   }
   return text + "</svg>\n";
 }

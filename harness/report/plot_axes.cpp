@@ -42,6 +42,40 @@ std::string tickText(double value) {
   return text;
 }
 
+std::vector<double> spread(std::vector<double> wanted, double spacing, double low, double high) {
+  // Runs of labels that touch share their shift: each run lies about the mean of what its labels want.
+  struct Group {
+    double sum = 0;  ///< of the wanted heights, each less what stands before it in the run
+    size_t size = 0;
+    [[nodiscard]] double start() const { return sum / static_cast<double>(size); }
+  };
+  std::vector<Group> groups;
+  const auto startOf = [&](const Group& group) {
+    const double length = spacing * static_cast<double>(group.size - 1);
+    return std::max(low, std::min(group.start(), high - length));
+  };
+  for (const double y : wanted) {
+    groups.push_back({y, 1});
+    while (groups.size() > 1) {
+      const Group last = groups.back();
+      Group& before = groups[groups.size() - 2];
+      const double end = startOf(before) + spacing * static_cast<double>(before.size);
+      if (startOf(last) >= end) break;
+      before.sum += last.sum - spacing * static_cast<double>(before.size * last.size);
+      before.size += last.size;
+      groups.pop_back();
+    }
+  }
+  std::vector<double> placed;
+  for (const Group& group : groups)
+    for (size_t i = 0; i < group.size; ++i) placed.push_back(startOf(group) + spacing * static_cast<double>(i));
+  return placed;
+}
+
+void LabelPlacer::avoid(double x, double y, const std::string& text) {
+  taken_.push_back({x, y - kLine / 2, x + kLetter * static_cast<double>(text.size()), y + kLine / 2});
+}
+
 void LabelPlacer::avoid(double x, double y) { taken_.push_back({x - 4, y - 4, x + 4, y + 4}); }
 
 bool LabelPlacer::isFree(const Box& box) const {

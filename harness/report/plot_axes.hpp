@@ -23,6 +23,9 @@ class LogAxis {
 /// "1", "100", "10k", "1M", "10⁻³".
 [[nodiscard]] std::string tickText(double value);
 
+/// Heights of labels one above the other, as near to `wanted` (ascending) as the spacing allows, within [low, high].
+[[nodiscard]] std::vector<double> spread(std::vector<double> wanted, double spacing, double low, double high);
+
 /// Finds a place for a label of `text` beside (x, y); remembers all places.
 class LabelPlacer {
  public:
@@ -33,6 +36,7 @@ class LabelPlacer {
     bool moved;        ///< far enough from its point to need a line to it
   };
   void avoid(double x, double y);  ///< a point is here
+  void avoid(double x, double y, const std::string& text);  ///< a label is here, from x on, about y
   [[nodiscard]] Place place(double x, double y, const std::string& text);
 
  private:

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "harness/report/plot.hpp"
+#include "harness/report/plot_axes.hpp"
 
 namespace rasterdiff::harness::bench {
 namespace {
@@ -29,6 +30,15 @@ TEST(ParetoOrder, HoldsWhatNoOtherPointBeatsInBoth) {
   const std::vector<PlotPoint> points{{0, 10, "exact", {}}, {0, 5, "slower", {}}, {1, 8, "worse and slower", {}},
                                       {2, 30, "fast", {}}, {3, 20, "beaten", {}}};
   EXPECT_EQ(paretoOrder(points), (std::vector<size_t>{0, 3}));
+}
+
+TEST(Spread, KeepsTheOrderTheSpacingAndTheBorders) {
+  const std::vector<double> placed = spread({10, 11, 12, 50, 99, 99.5}, 5, 0, 100);
+  for (size_t i = 1; i < placed.size(); ++i) EXPECT_GE(placed[i], placed[i - 1] + 5 - 1e-9) << i;
+  EXPECT_GE(placed.front(), 0);
+  EXPECT_LE(placed.back(), 100);
+  EXPECT_EQ(placed[1], 11);  // the middle of three that push one another
+  EXPECT_EQ(placed[3], 50);  // alone
 }
 
 TEST(ScatterPlot, HasAMarkAndALabelForEveryPointAndEscapesThem) {
