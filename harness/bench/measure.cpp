@@ -21,6 +21,7 @@ Result<Contender> driverContender(const Load& load, Task task, const Truth& trut
                                   const Frame& expected, std::string& line) {
   Contender contender;
   contender.mostSeconds = settings.frameSeconds;
+  contender.fixedParts = settings.fixedParts;
   contender.whole = load.scene.has_value();
   for (const char* method : {"driver", "driver-whole"}) {
     Row row;
@@ -66,28 +67,35 @@ struct Runner {
   std::vector<std::vector<double>> seconds;  ///< a row, a round
 };
 
-/// So many triangles that the first draw of the slowest takes no time.
+/// So many triangles that the first draw of the slowest, which looks at every sample of their boxes, takes no time.
 size_t fewTriangles(const Load& load) {
-  const double all = static_cast<double>(load.triangles.size());
-  const double area = std::max(1.0, coveredSamples(load, 64) / std::min(64.0, std::max(1.0, all)));
-  return static_cast<size_t>(std::clamp(50'000 / area, 1.0, 64.0));
+  double sum = 0;
+  size_t few = 0;
+  while (few < std::min<size_t>(64, load.triangles.size()) && sum < 50'000) {
+    const auto& v = load.triangles[few++].v;
+    const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
+    const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
+    sum += (double{1} * right - left + kSubpixelOne) * (double{1} * bottom - top + kSubpixelOne) / (kSubpixelOne * kSubpixelOne);
+  }
+  return std::max<size_t>(1, few);
 }
 
 /// Draws more and more triangles until they take most of the time of a draw: what a draw costs anyway (a frame that is
 /// cleared, read back) must not pass for the cost of triangles.
-Result<void> probe(Runner& runner, const Load& load, double fixedParts) {
+Result<void> probe(Runner& runner, const Load& load) {
   Contender& contender = runner.contender;
   const size_t all = std::max<size_t>(1, load.triangles.size());
   size_t triangles = contender.whole ? all : std::min(all, fewTriangles(load));
-  double fixed = -1, seconds = 0;
+  double fixed = 0, seconds = 0;
   for (;;) {
     const Result<std::vector<double>> drawn = contender.draw(triangles);
     if (!drawn) return tl::unexpected(drawn.error());
     seconds = std::max(1e-7, drawn->back());
-    fixed = fixed < 0 ? seconds : std::min(fixed, seconds);
-    const double goal = std::max(contender.mostSeconds, fixedParts * fixed);
+    if (contender.fixedParts > 0) fixed = fixed == 0 ? seconds : std::min(fixed, seconds);
+    const double goal = std::max(contender.mostSeconds, contender.fixedParts * fixed);
     if (triangles == all || seconds - fixed > goal / 2) break;
-    const double more = std::clamp(0.75 * goal / std::max(1e-7, seconds - fixed), 1.5, 16.0);
+    // The first draw tells fixed cost and that of triangles together: where it was long already, little is added.
+    const double more = std::clamp(0.75 * goal / std::max(1e-7, seconds - fixed), 1.5, seconds > contender.mostSeconds / 2 ? 2.0 : 16.0);
     triangles = std::min(all, static_cast<size_t>(static_cast<double>(triangles) * more) + 1);
   }
   const double covered = coveredSamples(load, triangles);
@@ -156,7 +164,7 @@ Result<std::vector<Row>> measure(const Load& load, Task task, const Settings& se
   for (Runner& runner : runners) {
     if (!runs(runner)) continue;
     progress(fmt::format("{}: how fast is {}?", place, runner.contender.rows[0].method));
-    if (const Result<void> probed = probe(runner, load, settings.fixedParts); !probed) refuse(runner.contender, probed.error());
+    if (const Result<void> probed = probe(runner, load); !probed) refuse(runner.contender, probed.error());
   }
   for (uint32_t r = 0; r < settings.rounds; ++r) {
     for (Runner& runner : runners) {

@@ -33,6 +33,7 @@ Result<Contender> renderContender(const Load& load, Task task, const Truth& trut
   const bool judged = !expected.primitive.data.empty();
   Contender contender;
   contender.mostSeconds = settings.frameSeconds;
+  contender.fixedParts = settings.fixedParts;
   contender.whole = load.scene.has_value();
   Row row;
   row.task = task;
