@@ -60,6 +60,7 @@ class Builder {
     bare_.builtIns.clear();
     bare_.target.resolve = false;
     bare_.target.depthFormat.reset();
+    bare_.target.depthClearValue = 1;
     bare_.state.depthTestEnable = bare_.state.depthWriteEnable = bare_.state.depthBiasEnable = false;
     bare_.state.sampleShadingEnable = bare_.state.alphaToCoverageEnable = false;
     problem_.cullMode = scene.state.cullMode;
