@@ -63,8 +63,9 @@ class Assembler {
 
   [[nodiscard]] uint32_t fetch(uint32_t position) const {
     if (!draw_.indices) return position;
-    const bool last = position + 1 == draw_.indices->size();
-    return (*draw_.indices)[error_ == DeliberateError::IndexOffByOne && last ? position - 1 : position];
+    const std::vector<uint32_t>& indices = *draw_.indices;
+    const bool last = position > 0 && position + 1 == indices.size() && indices[position - 1] != kRestartIndex;
+    return indices[error_ == DeliberateError::IndexOffByOne && last ? position - 1 : position];
   }
 
   const Draw& draw_;

@@ -95,7 +95,14 @@ struct MethodsOptions {
   std::string json, csv;  ///< paths; empty = not wanted
 };
 
+struct InvariantsOptions {
+  std::string glob = "*";
+  uint64_t seed = 1, count = 40;  ///< cases of each
+  std::string folder = "findings", json;
+  DriverChoice choice;
+};
+
 using Verb = std::variant<CheckOptions, RenderOptions, ExplainOptions, BenchOptions, DevicesOptions, ListOptions,
-                          HuntOptions, BlessOptions, MethodsOptions, StabilityOptions>;
+                          HuntOptions, BlessOptions, MethodsOptions, StabilityOptions, InvariantsOptions>;
 
 }  // namespace rasterdiff::harness::cli

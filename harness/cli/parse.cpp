@@ -77,6 +77,12 @@ constexpr const char* kStabilityExamples = R"(Examples:
   rasterdiff stability 'w-*' --driver none             some families, methods and reference alone
   rasterdiff stability sliver --driver swiftshader --svg sliver.svg --csv sliver.csv)";
 
+constexpr const char* kInvariantsExamples = R"(What has to hold of a driver without any reference: shared edges, the same picture said in two ways, what must not matter.
+
+Examples:
+  rasterdiff invariants
+  rasterdiff invariants 'shared-edges-*' --driver swiftshader --count 500)";
+
 constexpr const char* kDevicesExamples = R"(Examples:
   rasterdiff devices
   rasterdiff devices --json)";
@@ -296,6 +302,20 @@ void addMethods(CLI::App& app, MethodsOptions& options) {
   verb->add_option("--csv", options.csv, "Write the rows as CSV");
 }
 
+void addInvariants(CLI::App& app, InvariantsOptions& options) {
+  CLI::App* verb = app.add_subcommand("invariants", "What has to hold of a driver without a reference");
+  verb->footer(kInvariantsExamples);
+  verb->add_option("NAME", options.glob, "Only invariants whose name matches this glob")->capture_default_str();
+  verb->add_option("--driver", options.choice.driver, "lavapipe, swiftshader, the path of an ICD manifest (*.json), mutant:NAME")->capture_default_str();
+  verb->add_option("--timeout", options.choice.timeoutSeconds, "Seconds a driver may take over one submit")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
+  verb->add_option("--seed", options.seed, "The same seed gives the same cases")->check(CLI::Range(uint64_t{0}, uint64_t{1} << 32))->capture_default_str();
+  verb->add_option("--count", options.count, "Random cases of each invariant")->check(CLI::Range(uint64_t{1}, uint64_t{1} << 32))->capture_default_str();
+  verb->add_option("-o,--output", options.folder, "Folder for the scenes of broken ones; made when needed")->capture_default_str();
+  verb->add_option("--json", options.json, "Write the result as JSON");
+}
+
 }  // namespace
 
 tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
@@ -313,6 +333,7 @@ tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
   HuntOptions hunt;
   BlessOptions bless;
   MethodsOptions methods;
+  InvariantsOptions invariants;
   addCheck(app, check);
   addRender(app, render);
   addExplain(app, explain);
@@ -325,6 +346,7 @@ tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
   addHunt(app, hunt);
   addBless(app, bless);
   addMethods(app, methods);
+  addInvariants(app, invariants);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -349,6 +371,7 @@ tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
   if (verb == "hunt") return hunt;
   if (verb == "bless") return bless;
   if (verb == "methods") return methods;
+  if (verb == "invariants") return invariants;
   return list;
 }
 

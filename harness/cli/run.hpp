@@ -18,5 +18,6 @@ namespace rasterdiff::harness::cli {
 [[nodiscard]] int runVerb(const HuntOptions& options);
 [[nodiscard]] int runVerb(const BlessOptions& options);
 [[nodiscard]] int runVerb(const MethodsOptions& options);
+[[nodiscard]] int runVerb(const InvariantsOptions& options);
 
 }  // namespace rasterdiff::harness::cli
