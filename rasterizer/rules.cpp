@@ -5,7 +5,7 @@
 namespace rasterdiff::rasterizer {
 namespace {
 
-constexpr std::array<std::string_view, 2> kProfiles{"reference", "lavapipe"};
+constexpr std::array<std::string_view, 3> kProfiles{"reference", "lavapipe", "d3d11"};
 
 // The driver compiles its vertex stage for the CPU it runs on: it fuses where the CPU has fused multiply-add.
 bool cpuFusesMultiplyAdd() {
@@ -46,8 +46,18 @@ Result<Rules> Rules::profile(std::string_view name, const Limits& limits) {
     rules.choices.depthBiasUnit = DepthBiasUnit::TwoSteps;
     return rules;
   }
+  // Direct3D 11.3, where it is stricter than Vulkan: vertices on a grid of 16.8 bits, nearest even, through which values
+  // are interpolated too; its own diamond; the smallest step of a fixed-point depth. Top-left ties, the larger component
+  // of the slope, no bias on lines and points, and the first covered sample as centroid are the reference's answers.
+  if (name == "d3d11") {
+    rules.choices.subPixelBits = 8;
+    rules.choices.diamondExit = DiamondExit::Direct3D11;
+    rules.choices.depthBiasUnit = DepthBiasUnit::OneStepOfRange;
+    rules.choices.planePositions = PlanePositions::Snapped;
+    return rules;
+  }
   return fail(ErrorCode::BadInput, "--rules", "there is no profile named \"" + std::string(name) + "\"",
-              "profiles: spec, reference, lavapipe, auto");
+              "profiles: spec, reference, lavapipe, d3d11, auto");
 }
 
 Rules Rules::forDriver(std::string_view driverName, const Limits& limits) {

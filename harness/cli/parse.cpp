@@ -110,7 +110,7 @@ void addDriverOptions(CLI::App& verb, DriverChoice& choice, const std::string& a
                       alsoDrivers)
       ->capture_default_str();
   verb.add_option("--rules", choice.rules,
-                  "auto (the driver's profile if one is known, else spec), spec, or a profile: reference, lavapipe")
+                  "auto (the driver's profile if one is known, else spec), spec, or a profile: reference, lavapipe, d3d11")
       ->capture_default_str();
   verb.add_option("--timeout", choice.timeoutSeconds, "Seconds a driver may take over one submit")
       ->check(CLI::Range(0.1, 3600.0))
