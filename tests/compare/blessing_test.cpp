@@ -6,13 +6,13 @@
 namespace rasterdiff::harness {
 namespace {
 
-constexpr const char* kResults = R"({"format": "rasterdiff-results-1", "driver": {"name": "llvmpipe", "info": "Mesa 22.3.6 (LLVM 15.0.6)"},
+constexpr const char* kResults = R"JSON({"format": "rasterdiff-results-1", "driver": {"name": "llvmpipe", "info": "Mesa 22.3.6 (LLVM 15.0.6)"},
   "rules": "spec", "scenes": [
   {"id": "a/same", "verdict": "Same", "differing": 0, "values": {}},
   {"id": "a/wrong", "verdict": "Differs", "differing": 3, "values": {"depth": {"differing": 0}, "color": {"differing": 2}}},
   {"id": "b/crash", "verdict": "Crashed", "differing": 0, "values": {}},
   {"id": "b/known", "verdict": "Differs", "baseline": "ExpectedDiff", "differing": 1, "values": {}},
-  {"id": "b/skipped", "verdict": "Skipped", "differing": 0, "values": {}}]})";
+  {"id": "b/skipped", "verdict": "Skipped", "differing": 0, "values": {}}]})JSON";
 
 BaselineEntry entry(const std::string& scene, const std::string& version = "Mesa 22.3") {
   return {"llvmpipe", version, "", scene, {"coverage"}, "", "", "an old reason"};
