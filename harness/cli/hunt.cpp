@@ -95,7 +95,7 @@ void search(hunt::Campaign& campaign, HuntWorkers& workers, const HuntOptions& o
     for (hunt::LaneResult& result : results) campaign.absorb(std::move(result));
     const std::vector<hunt::Raw> raw = campaign.toShrink();
     const std::vector<hunt::Shrunk> shrunk = workers.shrink(raw);
-    for (size_t i = 0; i < raw.size(); ++i) campaign.absorb(raw[i], shrunk[i]);
+    for (size_t i = 0; i < raw.size(); ++i) campaign.absorb(raw[i], shrunk[i], workers.isSteady(shrunk[i]));
     showProgress(campaign, seconds());
   }
   if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K");

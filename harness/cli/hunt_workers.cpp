@@ -89,6 +89,8 @@ hunt::Judgement HuntWorkers::judgedAlone(const Scene& scene) const {
   return judgement;
 }
 
+bool HuntWorkers::isSteady(const hunt::Shrunk& shrunk) const { return find(judgedAlone(shrunk.scene), shrunk.kind) != nullptr; }
+
 std::vector<hunt::LaneResult> HuntWorkers::lanes(const hunt::Campaign& campaign, uint64_t first, uint32_t count,
                                                  std::optional<Clock::time_point> deadline) {
   enum class State : uint8_t { Missing, Done, Lost };

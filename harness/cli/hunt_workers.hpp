@@ -26,6 +26,9 @@ class HuntWorkers {
   /// In the order of `raw`.
   [[nodiscard]] std::vector<hunt::Shrunk> shrink(const std::vector<hunt::Raw>& raw);
 
+  /// Does the scene, alone in a process, show its kind?
+  [[nodiscard]] bool isSteady(const hunt::Shrunk& shrunk) const;
+
   /// Why no more work can be done, or empty.
   [[nodiscard]] const std::string& stopped() const { return stopped_; }
 

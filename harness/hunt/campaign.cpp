@@ -1,7 +1,5 @@
 #include "harness/hunt/campaign.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bit>
 
@@ -10,19 +8,6 @@
 namespace rasterdiff::harness::hunt {
 namespace {
 
-/// The traits that a baseline entry names; none for a name that is no trait.
-Traits traitsNamed(std::string_view names) {
-  Traits traits;
-  while (!names.empty()) {
-    const std::string_view name = names.substr(0, names.find(' '));
-    for (size_t t = 0; t < traits.size(); ++t) {
-      if (nameOf(static_cast<Trait>(t)) == name) traits.set(t);
-    }
-    names.remove_prefix(std::min(names.size(), name.size() + 1));
-  }
-  return traits;
-}
-
 bool isPlaneOfItsOwn(std::string_view plane) {
   constexpr BuiltIn kAll[] = {BuiltIn::FragCoord,  BuiltIn::FrontFacing, BuiltIn::PointCoord,
                               BuiltIn::SampleMask, BuiltIn::SampleId,    BuiltIn::SamplePosition};
@@ -30,12 +15,15 @@ bool isPlaneOfItsOwn(std::string_view plane) {
   return std::any_of(std::begin(kAll), std::end(kAll), [&](BuiltIn b) { return builtInName(b) == plane; });
 }
 
-/// Coverage, depth and built-ins by their name; a varying by its interpolation, which `when` then names.
-bool explains(const BaselineEntry& entry, std::string_view kind) {
-  const std::string_view own = kind.starts_with("resolved/") ? kind.substr(9) : planeKind(kind);
+/// Coverage, depth and built-ins by their name; a varying by its interpolation, if `when` names one.
+bool explains(const BaselineEntry& entry, const Traits& when, std::string_view kind) {
+  constexpr std::string_view kResolved = "resolved/";
+  const std::string_view own = kind.starts_with(kResolved) ? kind.substr(kResolved.size()) : planeKind(kind);
+  Traits named;
+  for (size_t t = static_cast<size_t>(Trait::Smooth); t <= static_cast<size_t>(Trait::Offset); ++t) named[t] = when[t];
   return std::any_of(entry.planes.begin(), entry.planes.end(), [&](const std::string& plane) {
     if (isPlaneOfItsOwn(plane) || isPlaneOfItsOwn(own)) return plane == own;
-    return fmt::format(" {} ", entry.when).find(fmt::format(" {} ", own)) != std::string::npos;
+    return named.none() || includes(named, traitsNamed(own));
   });
 }
 
@@ -49,7 +37,7 @@ bool isFor(const BaselineEntry& entry, std::string_view driverName, std::string_
 const BaselineEntry* knownEntry(const Baseline& baseline, std::string_view driverName, std::string_view driverInfo,
                                 std::string_view rulesName, const Signature& signature) {
   for (const BaselineEntry& entry : baseline.entries) {
-    if (!isFor(entry, driverName, driverInfo, rulesName) || !explains(entry, signature.kind)) continue;
+    if (!isFor(entry, driverName, driverInfo, rulesName) || !explains(entry, traitsNamed(entry.when), signature.kind)) continue;
     if (includes(signature.traits, traitsNamed(entry.when))) return &entry;
   }
   return nullptr;
@@ -76,7 +64,7 @@ std::vector<Raw> Campaign::toShrink() {
   std::vector<Raw> chosen;
   for (Raw& raw : waiting_) {
     const auto like = [&](const Signature& s) { return s.kind == raw.signature.kind && includes(raw.signature.traits, s.traits); };
-    const auto found = std::find_if(findings_.begin(), findings_.end(), [&](const Finding& f) { return like(f.signature); });
+    const auto found = std::find_if(findings_.begin(), findings_.end(), [&](const Finding& f) { return f.steady && like(f.signature); });
     if (found != findings_.end() && !std::has_single_bit(++found->seen)) continue;
     const bool chosenLike = std::any_of(chosen.begin(), chosen.end(), [&](const Raw& c) { return c.signature.kind == raw.signature.kind; });
     // One of a kind at a time: the next of that kind may turn out to be the same.
@@ -86,10 +74,11 @@ std::vector<Raw> Campaign::toShrink() {
   return chosen;
 }
 
-void Campaign::absorb(const Raw& raw, const Shrunk& shrunk) {
-  Finding finding{shrunk.scene, {shrunk.kind, traitsOf(shrunk.scene)}, raw.verdict, shrunk.judgement.reason, {}, shrunk.attempts, 1, {}, {}};
+void Campaign::absorb(const Raw& raw, const Shrunk& shrunk, bool steady) {
+  Finding finding{shrunk.scene, {shrunk.kind, traitsOf(shrunk.scene)}, raw.verdict, shrunk.judgement.reason, {}, shrunk.attempts, 1, steady, {}, {}};
+  if (!steady) finding.signature.traits &= traitsNamed("points lines triangles polygon-line polygon-point");
   if (const Difference* at = find(shrunk.judgement, shrunk.kind)) finding.at = *at;
-  const auto same = std::find_if(findings_.begin(), findings_.end(), [&](const Finding& f) { return f.signature == finding.signature; });
+  const auto same = std::find_if(findings_.begin(), findings_.end(), [&](const Finding& f) { return f.steady == steady && f.signature == finding.signature; });
   if (same != findings_.end()) {
     ++same->seen;
     return;
@@ -99,7 +88,7 @@ void Campaign::absorb(const Raw& raw, const Shrunk& shrunk) {
     finding.knownRule = entry->rule;
     finding.known = entry->reason;
   }
-  avoided_.push_back(finding.signature);
+  if (steady) avoided_.push_back(finding.signature);
   findings_.push_back(std::move(finding));
 }
 

@@ -20,6 +20,7 @@ struct Finding {
   Difference at;
   uint32_t attempts = 0;   ///< scenes judged to shrink it
   uint64_t seen = 1;       ///< scenes (of different traits) that shrank to it, or have all of its traits
+  bool steady = true;      ///< false: its scene alone, in a new process, does not show it
   std::string knownRule;   ///< of the baseline entry that it is
   std::string known;       ///< its reason; empty: nobody knows it yet
 };
@@ -54,8 +55,9 @@ class Campaign {
   /// Closes a round: what has to be shrunk now. Scenes with all traits of an earlier finding of their kind are counted
   /// there, and shrunk again only now and then.
   [[nodiscard]] std::vector<Raw> toShrink();
-  /// In the order of toShrink.
-  void absorb(const Raw& raw, const Shrunk& shrunk);
+  /// In the order of toShrink. `steady`: the scene shows it alone, too. Of those that do not, one a kind and primitive
+  /// is kept: what they need is what was drawn before them.
+  void absorb(const Raw& raw, const Shrunk& shrunk, bool steady = true);
 
   [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
   [[nodiscard]] const Tally& tally() const { return tally_; }

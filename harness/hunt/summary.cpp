@@ -50,7 +50,7 @@ Json jsonOf(const HuntReport& report, const Written& written) {
   Json json{{"file", written.file}, {"picture", written.picture}, {"verdict", toString(f.verdict)}, {"kind", f.signature.kind},
             {"reason", f.reason}, {"x", f.at.x}, {"y", f.at.y}, {"sample", f.at.sample}, {"traits", namesOf(f.signature.traits)},
             {"primitives", primitivesOf(f.scene)}, {"width", f.scene.target.width}, {"height", f.scene.target.height},
-            {"samplesPerPixel", f.scene.target.samples}, {"seen", f.seen}, {"attempts", f.attempts}};
+            {"samplesPerPixel", f.scene.target.samples}, {"seen", f.seen}, {"attempts", f.attempts}, {"steady", f.steady}};
   if (!f.known.empty()) json["known"] = {{"rule", f.knownRule}, {"reason", f.known}};
   if (!written.file.empty()) json["check"] = checkCommand(report, written);
   return json;
@@ -101,6 +101,7 @@ std::string huntText(const HuntReport& report, bool listKnown) {
     if (!f.known.empty() && !listKnown) continue;
     text += fmt::format("\n{}: {}: {}; seen {}\n", f.known.empty() ? toString(f.verdict) : "known", place(f), f.reason, counted(f.seen, "time"));
     if (!f.known.empty()) text += fmt::format("  {}: {}\n", f.knownRule, f.known);
+    if (!f.steady) text += "  unsteady: this scene alone does not show it; what was drawn before it, or chance, takes part\n";
     text += fmt::format("  needs    {}\n  smallest {} ({} tries)\n", namesOf(f.signature.traits), size(f.scene), grouped(f.attempts));
     if (!written.file.empty()) text += fmt::format("  scene    {}\n", written.file);
     if (!written.picture.empty()) text += fmt::format("  picture  {}\n", written.picture);

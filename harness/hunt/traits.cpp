@@ -14,7 +14,7 @@ constexpr std::array<std::string_view, static_cast<size_t>(Trait::Count_)> kName
     "leaves-sides", "leaves-depth", "no-positive-w", "perspective", "negative-one-to-one",
     "depth", "depth-unorm", "depth-test", "depth-bias", "depth-clamp", "depth-clip-stated",
     "wide-line", "bresenham", "rectangular", "stipple", "large-point", "small-point",
-    "clip-distance", "cull-distance", "sample-mask", "sample-shading", "alpha-to-coverage", "resolve",
+    "clip-distance", "cull-distance", "sample-mask", "sample-mask-at-one-sample", "sample-shading", "alpha-to-coverage", "resolve",
     "smooth", "noperspective", "flat", "centroid", "sample", "offset",
     "frag-coord", "front-facing", "point-coord", "sample-mask-in", "sample-id", "sample-position",
     "non-finite"};
@@ -115,7 +115,7 @@ class Collector {
     const uint32_t samples = scene_.target.samples;
     const uint32_t all = samples >= 32 ? ~uint32_t{0} : (uint32_t{1} << samples) - 1;
     set(Trait::Multisampled, samples > 1);
-    set(Trait::SampleMask, (scene_.state.sampleMask & all) != all);
+    set(samples > 1 ? Trait::SampleMask : Trait::SampleMaskAtOneSample, (scene_.state.sampleMask & all) != all);
     set(Trait::SampleShading, scene_.state.sampleShadingEnable);
     set(Trait::AlphaToCoverage, scene_.state.alphaToCoverageEnable);
     set(Trait::Resolve, scene_.target.resolve);
@@ -152,6 +152,18 @@ class Collector {
 std::string_view nameOf(Trait trait) { return kNames[static_cast<size_t>(trait)]; }
 
 Traits traitsOf(const Scene& scene) { return Collector(scene).collect(); }
+
+Traits traitsNamed(std::string_view names) {
+  Traits traits;
+  while (!names.empty()) {
+    const std::string_view name = names.substr(0, names.find(' '));
+    for (size_t t = 0; t < traits.size(); ++t) {
+      if (nameOf(static_cast<Trait>(t)) == name) traits.set(t);
+    }
+    names.remove_prefix(std::min(names.size(), name.size() + 1));
+  }
+  return traits;
+}
 
 std::string namesOf(const Traits& traits, char separator) {
   std::string names;

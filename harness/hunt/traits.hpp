@@ -18,7 +18,7 @@ enum class Trait : uint8_t {
   LeavesSides, LeavesDepth, NoPositiveW, Perspective, NegativeOneToOne,
   Depth, DepthUnorm, DepthTest, DepthBias, DepthClamp, DepthClipStated,
   WideLine, Bresenham, Rectangular, Stipple, LargePoint, SmallPoint,
-  ClipDistance, CullDistance, SampleMask, SampleShading, AlphaToCoverage, Resolve,
+  ClipDistance, CullDistance, SampleMask, SampleMaskAtOneSample, SampleShading, AlphaToCoverage, Resolve,
   Smooth, NoPerspective, Flat, Centroid, Sample, Offset,
   FragCoord, FrontFacing, PointCoord, SampleMaskIn, SampleId, SamplePosition,
   NonFinite, Count_
@@ -32,6 +32,9 @@ using Traits = std::bitset<static_cast<size_t>(Trait::Count_)>;
 
 /// "triangles clip-distance": the names, separated by `separator`.
 [[nodiscard]] std::string namesOf(const Traits& traits, char separator = ' ');
+
+/// The traits of a list of names, separated by a space; words that name no trait are passed over.
+[[nodiscard]] Traits traitsNamed(std::string_view names);
 
 [[nodiscard]] inline bool includes(const Traits& all, const Traits& some) { return (all & some) == some; }
 

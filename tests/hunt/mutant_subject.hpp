@@ -4,25 +4,17 @@
 #include <string>
 
 #include "harness/subject.hpp"
+#include "rasterizer/mistakes/played_device.hpp"
 #include "rasterizer/render.hpp"
 
 namespace rasterdiff {
 
-inline Limits generousLimits() {
-  Limits limits;
-  limits.lineWidthMax = 255;
-  limits.lineWidthGranularity = 1.0F / 128;
-  limits.pointSizeMin = 0;
-  limits.pointSizeMax = 255;
-  limits.pointSizeGranularity = 0.125F;
-  limits.stippledRectangularLines = limits.stippledBresenhamLines = true;
-  return limits;
-}
+inline Limits generousLimits() { return rasterizer::playedDevice(rasterizer::DeliberateError::None); }
 
 class ReferenceWith final : public harness::Subject {
  public:
   explicit ReferenceWith(rasterizer::DeliberateError error)
-      : rules_(*rasterizer::Rules::profile("reference", generousLimits())) {
+      : rules_(*rasterizer::Rules::profile("reference", rasterizer::playedDevice(error))) {
     rules_.error = error;
   }
   std::string name() const override { return "mutant"; }

@@ -31,11 +31,11 @@ uint32_t primitivesOf(const Scene& scene) {
 
 TEST_P(HuntedMutant, IsFoundAndShrunk) {
   ReferenceWith mutant(GetParam().error);
-  const auto rules = *rasterizer::Rules::profile("reference", generousLimits());
+  const auto rules = *rasterizer::Rules::profile("reference", mutant.limits());
   const Judge judging = [&](const Scene& scene) { return judge(scene, mutant, rules); };
   LaneOptions options;
   options.family = familyByName("any");
-  options.limits = generousLimits();
+  options.limits = mutant.limits();
   Corpus corpus;
   uint64_t scenes = 0;
   std::vector<Raw> raw;
@@ -53,8 +53,9 @@ TEST_P(HuntedMutant, IsFoundAndShrunk) {
   std::cout << "[ HUNT     ] " << GetParam().name << ": " << scenes << " scenes, " << shrunk.attempts << " to shrink, " << primitives
             << " primitive(s), " << shrunk.scene.target.width << " x " << shrunk.scene.target.height << " pixels, " << shrunk.kind << ": "
             << namesOf(traitsOf(shrunk.scene)) << "\n";
-  EXPECT_LE(primitives, 3U);
-  EXPECT_LE(pixels, 64U);
+  // Most end at one or two primitives in a pixel; what needs a distance (a stipple period, a long line) keeps some.
+  EXPECT_LE(primitives, 6U);
+  EXPECT_LE(pixels, 128U);
   const Result<Scene> again = parseScene(writeScene(shrunk.scene), "hunt.scene.json");
   ASSERT_TRUE(again) << again.error().what;
   EXPECT_EQ(*again, shrunk.scene);
