@@ -75,6 +75,12 @@ void addBuiltIns(Entries& entries) {
   });
   family.add("sample-id", "each sample's number and place", {"R17", "R19"},
              [] { return observed({BuiltIn::SampleId, BuiltIn::SamplePosition}, 4); });
+  family.add("frag-coord-depth-4x", "FragCoord.z where each sample is shaded: the depth at the sample", {"R19", "R22", "R23"}, [] {
+    Scene scene = square(8, 4);
+    scene.builtIns = {BuiltIn::FragCoord, BuiltIn::SamplePosition};
+    drawClip(scene, {{-1, -1, 1, 1}, {1, -1, 0.5f, 1}, {-1, 1, 0.75f, 1}});
+    return scene;
+  });
   family.add("helper-invocations", "invocations outside of the triangle leave no trace", {"R43"}, [] {
     Scene scene = square(32, 4);
     std::vector<Px> v;

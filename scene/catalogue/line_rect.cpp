@@ -89,6 +89,12 @@ void addLineRect(Entries& entries) {
     addVarying(scene, "flat", Interpolation::flat, 1);
     return scene;
   });
+  family.add("values-4x", "depth and an input at the samples: evaluated where the sample is, not half a pixel beside it", {"R20", "R22", "R27"}, [] {
+    Scene scene = lines(16, {{2.5, 2.5, 0.25}, {12.5, 2.5, 0.75}, {2.5, 5.5, 0.25}, {2.5, 13.5, 0.75}, {5.5, 5.5, 0.25}, {13.5, 11.5, 0.75}}, 4);
+    useDepth(scene);
+    addVarying(scene, "sample", Interpolation::sample, 1);
+    return scene;
+  });
   family.add("default-mode", "mode DEFAULT: rectangular where lines are strict", {"R27", "R28"}, [] {
     Scene scene = lines(32, {{3.5, 3.25}, {28.5, 11.5}, {5.25, 28.5}, {9.5, 6.25}, {28, 14}, {14, 28}});
     scene.state.lineRasterizationMode = LineRasterizationMode::DEFAULT;

@@ -40,6 +40,12 @@ void addOffset(Entries& entries) {
              [] { return at({{"a", 0.3f, -0.2f}, {"b", 0.01f, 0.4f}}, 1, false); });
   family.add("perspective", "offsets are on the screen, values in perspective", rules,
              [] { return at({{"a", 0.25f, -0.125f}, {"b", -0.375f, 0.3125f}}, 1, true); });
+  family.add("perspective-one-pixel", "the smallest scene that shows which w an offset input is divided by", rules, [] {
+    Scene scene = square(1);
+    drawClip(scene, {{-1, -1, 0.5f, 1}, {1, -1, 0.5f, 1}, {2, 2, 1, 2}});
+    scene.draws.front().varyings = {{.name = "offset", .interpolation = Interpolation::offset, .components = 1, .values = {0, 0, -1}, .offsetX = -0.0625f, .offsetY = -0.3125f}};
+    return scene;
+  });
 }
 
 }  // namespace rasterdiff::families

@@ -92,6 +92,13 @@ void addPolygonMode(Entries& entries) {
     addVarying(scene, "flat", Interpolation::flat, 1);
     return scene;
   });
+  family.add("point-flat", "a triangle's points have the flat inputs of its provoking vertex", {"R11", "R34"}, [] {
+    Scene scene = square(8);
+    scene.state.polygonMode = PolygonMode::POINT;
+    draw(scene, {{1.5, 1.5}, {6.5, 1.5}, {1.5, 6.5}});
+    addVarying(scene, "flat", Interpolation::flat, 1);
+    return scene;
+  });
   family.add("biased", "depth bias applies to the edges too", {"R34", "R37", "R38"}, [] {
     Scene scene = wire(LINE);
     useDepth(scene);
