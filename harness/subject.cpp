@@ -12,6 +12,7 @@
 
 #include "rasterizer/legal/legal_rules.hpp"
 #include "rasterizer/mistakes/played_device.hpp"
+#include "harness/infer/synthetic.hpp"
 #include "harness/method_subject.hpp"
 #include "rasterizer/render.hpp"
 #include "vkref/device.hpp"
@@ -38,7 +39,7 @@ class DeviceSubject final : public Subject {
   std::unique_ptr<vkref::Device> device_;
 };
 
-/// The reference with one deliberate mistake, or with other legal choices.
+/// The reference with one deliberate mistake, with other legal choices, or with rules of its own.
 class VariantSubject final : public Subject {
  public:
   VariantSubject(std::string name, std::string what, rasterizer::Rules rules)
@@ -134,6 +135,15 @@ Result<std::unique_ptr<Subject>> openFault(const SubjectOptions& options, std::s
   return std::make_unique<FaultSubject>(options.driver, *fault, std::move(glob), std::move(*rules));
 }
 
+Result<std::unique_ptr<Subject>> openSynthetic(const SubjectOptions& options, std::string_view seed) {
+  uint64_t value = 0;
+  const auto [end, wrong] = std::from_chars(seed.data(), seed.data() + seed.size(), value);
+  if (wrong != std::errc{} || end != seed.data() + seed.size()) {
+    return fail(ErrorCode::BadInput, "--driver", fmt::format("'{}' is no seed", seed), "a whole number, as in synthetic:7");
+  }
+  return std::make_unique<VariantSubject>(options.driver, "random rules", syntheticRules(value));
+}
+
 }  // namespace
 
 std::string subjectLine(const Subject& subject) {
@@ -147,6 +157,7 @@ std::string subjectLine(const Subject& subject) {
 }
 
 Result<std::unique_ptr<Subject>> openSubject(const SubjectOptions& options) {
+  constexpr std::string_view kSynthetic = "synthetic:";
   constexpr std::string_view kMutant = "mutant:", kLegal = "legal:", kFault = "fault:", kMethod = "method:";
   if (options.driver.starts_with(kLegal)) {
     return openLegal(options, std::string_view(options.driver).substr(kLegal.size()));
@@ -159,6 +170,9 @@ Result<std::unique_ptr<Subject>> openSubject(const SubjectOptions& options) {
   }
   if (options.driver.starts_with(kFault)) {
     return openFault(options, std::string_view(options.driver).substr(kFault.size()));
+  }
+  if (options.driver.starts_with(kSynthetic)) {
+    return openSynthetic(options, std::string_view(options.driver).substr(kSynthetic.size()));
   }
   Result<std::unique_ptr<vkref::Device>> device =
       vkref::openDevice({options.driver, options.validate, options.timeoutSeconds});

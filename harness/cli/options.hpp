@@ -11,7 +11,7 @@ namespace rasterdiff::harness::cli {
 
 struct DriverChoice {
   std::string driver = "lavapipe";  ///< also "none" for `explain`
-  std::string rules = "auto";       ///< "auto", "spec" or a profile
+  std::string rules = "auto";       ///< "auto", "spec", a profile, or a profile's file
   double timeoutSeconds = 20;
   bool validate = false;
 };
@@ -102,7 +102,14 @@ struct InvariantsOptions {
   DriverChoice choice;
 };
 
-using Verb = std::variant<CheckOptions, RenderOptions, ExplainOptions, BenchOptions, DevicesOptions, ListOptions,
-                          HuntOptions, BlessOptions, MethodsOptions, StabilityOptions, InvariantsOptions>;
+struct InferOptions {
+  DriverChoice choice;
+  std::string output;  ///< path of the profile; empty: not written
+  bool json = false;
+  uint64_t seed = 1;
+};
+
+using Verb = std::variant<CheckOptions, RenderOptions, ExplainOptions, BenchOptions, DevicesOptions, ListOptions, HuntOptions,
+                          BlessOptions, MethodsOptions, StabilityOptions, InvariantsOptions, InferOptions>;
 
 }  // namespace rasterdiff::harness::cli

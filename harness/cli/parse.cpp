@@ -15,6 +15,7 @@ constexpr const char* kMainExamples = R"(Examples:
   rasterdiff check 'fill/*' --driver swiftshader       some of it on another driver
   rasterdiff explain fill/shared-diagonal 12 12        why is this sample covered?
   rasterdiff stability --report stability.html         where does each method break?
+  rasterdiff infer -o driver.json                      which rules does the driver follow?
   rasterdiff devices                                   which drivers are here?
 
 Exit status: 0 nothing unexpected; 1 a difference that nothing allows; 2 usage or bad input; 3 no usable device;
@@ -83,6 +84,14 @@ Examples:
   rasterdiff invariants
   rasterdiff invariants 'shared-edges-*' --driver swiftshader --count 500)";
 
+constexpr const char* kInferExamples = R"(Draws some hundred small scenes, drops every candidate rule that the driver contradicts, and prints what is left.
+
+Examples:
+  rasterdiff infer
+  rasterdiff infer --driver swiftshader -o swiftshader.json
+  rasterdiff check 'random/*' --driver swiftshader --rules swiftshader.json
+  rasterdiff infer --driver synthetic:7      random rules that nobody told it: are they found?)";
+
 constexpr const char* kDevicesExamples = R"(Examples:
   rasterdiff devices
   rasterdiff devices --json)";
@@ -110,7 +119,8 @@ void addDriverOptions(CLI::App& verb, DriverChoice& choice, const std::string& a
                       alsoDrivers)
       ->capture_default_str();
   verb.add_option("--rules", choice.rules,
-                  "auto (the driver's profile if one is known, else spec), spec, or a profile: reference, lavapipe, d3d11")
+                  "auto (the driver's profile if one is known, else spec), spec, a profile (reference, lavapipe, d3d11), or the "
+                  "file of one (rasterdiff infer -o FILE)")
       ->capture_default_str();
   verb.add_option("--timeout", choice.timeoutSeconds, "Seconds a driver may take over one submit")
       ->check(CLI::Range(0.1, 3600.0))
@@ -316,6 +326,20 @@ void addInvariants(CLI::App& app, InvariantsOptions& options) {
   verb->add_option("--json", options.json, "Write the result as JSON");
 }
 
+void addInfer(CLI::App& app, InferOptions& options) {
+  CLI::App* verb = app.add_subcommand("infer", "Find the rules that a driver follows, by experiment");
+  verb->footer(kInferExamples);
+  verb->add_option("--driver", options.choice.driver,
+                   "lavapipe, swiftshader, the path of an ICD manifest (*.json), mutant:NAME, synthetic:SEED")
+      ->capture_default_str();
+  verb->add_option("-o,--output", options.output, "Write the profile here, for --rules");
+  verb->add_flag("--json", options.json, "The card as JSON");
+  verb->add_option("--seed", options.seed, "Seed of the experiments")->capture_default_str();
+  verb->add_option("--timeout", options.choice.timeoutSeconds, "Seconds a driver may take over one submit")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
+}
+
 }  // namespace
 
 tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
@@ -334,11 +358,13 @@ tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
   BlessOptions bless;
   MethodsOptions methods;
   InvariantsOptions invariants;
+  InferOptions infer;
   addCheck(app, check);
   addRender(app, render);
   addExplain(app, explain);
   addBench(app, bench);
   addStability(app, stability);
+  addInfer(app, infer);
   CLI::App* devicesVerb = app.add_subcommand("devices", "Which drivers are here, with the limits that matter");
   devicesVerb->footer(kDevicesExamples);
   devicesVerb->add_flag("--json", devices.json, "As JSON");
@@ -367,6 +393,7 @@ tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
   if (verb == "explain") return explain;
   if (verb == "bench") return bench;
   if (verb == "stability") return stability;
+  if (verb == "infer") return infer;
   if (verb == "devices") return devices;
   if (verb == "hunt") return hunt;
   if (verb == "bless") return bless;

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 
+#include "harness/profile/profile_file.hpp"
+
 namespace rasterdiff::harness::cli {
 namespace {
 
 bool madeOfReference(const std::string& driver) {
-  return driver.starts_with("mutant:") || driver.starts_with("fault:") || driver.starts_with("method:");
+  return driver.starts_with("mutant:") || driver.starts_with("fault:") || driver.starts_with("method:") ||
+         driver.starts_with("synthetic:");
 }
 
 bool isProfile(const std::string& rules) {
@@ -16,6 +19,11 @@ bool isProfile(const std::string& rules) {
 
 Result<rasterizer::Rules> named(const std::string& rules, const Limits& limits) {
   if (rules == "spec") return rasterizer::Rules::specification(limits);
+  if (namesProfileFile(rules)) {
+    const Result<Profile> profile = loadProfile(rules);
+    if (!profile) return tl::unexpected(profile.error());
+    return rulesOf(*profile, limits);
+  }
   return rasterizer::Rules::profile(rules, limits);
 }
 

@@ -1,4 +1,4 @@
-// `--rules` to Rules: auto, spec or a profile, for the driver that was opened.
+// `--rules` to Rules: auto, spec, a profile or the file of one, for the driver that was opened.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace rasterdiff::harness::cli {
 
-/// Error: BadInput, no such profile. Found before any driver is opened.
+/// Error: BadInput, no such profile; what is wrong with its file. Found before any driver is opened.
 [[nodiscard]] Result<void> checkRulesName(const std::string& rules);
 
 /// Options for openSubject. Mutants and faults are made of the profile that they are judged by.

@@ -19,5 +19,6 @@ namespace rasterdiff::harness::cli {
 [[nodiscard]] int runVerb(const BlessOptions& options);
 [[nodiscard]] int runVerb(const MethodsOptions& options);
 [[nodiscard]] int runVerb(const InvariantsOptions& options);
+[[nodiscard]] int runVerb(const InferOptions& options);
 
 }  // namespace rasterdiff::harness::cli

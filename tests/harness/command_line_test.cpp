@@ -7,7 +7,7 @@ namespace rasterdiff::test {
 namespace {
 
 TEST(CommandLine, HelpOfEveryVerbSucceedsAndShowsExamples) {
-  for (const char* verb : {"check", "render", "explain", "bench", "devices", "list", "methods", "hunt", "bless"}) {
+  for (const char* verb : {"check", "render", "explain", "bench", "devices", "list", "methods", "hunt", "bless", "infer"}) {
     const Outcome help = runProgram({verb, "--help"});
     EXPECT_EQ(help.status, 0) << verb;
     EXPECT_NE(help.out.find("Examples:"), std::string::npos) << verb;
@@ -47,6 +47,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"UnknownMutant", {"check", "fill/*", "--driver", "mutant:none-such"}, 2, "none-such", "rasterdiff list --mutants"},
         Refused{"UnknownFault", {"check", "fill/*", "--driver", "fault:none-such"}, 2, "none-such", "rasterdiff check --help"},
         Refused{"UnknownDriver", {"check", "fill/*", "--driver", "none-such"}, 3, "none-such", "rasterdiff devices"},
+        Refused{"MissingProfileFile", {"check", "--rules", "none-such.json"}, 2, "none-such.json", "rasterdiff check --help"},
+        Refused{"BadSeedOfSyntheticRules", {"infer", "--driver", "synthetic:x"}, 2, "'x' is no seed", "rasterdiff infer --help"},
+        Refused{"InferUnknownDriver", {"infer", "--driver", "none-such"}, 3, "none-such", "rasterdiff devices"},
         Refused{"ShardOutOfRange", {"check", "--shard", "3/2"}, 2, "K/N", "rasterdiff check --help"},
         Refused{"ShardOfZero", {"check", "--shard", "0/2"}, 2, "K/N", "rasterdiff check --help"},
         Refused{"ShardNegative", {"check", "--shard", "-1/2"}, 2, "--shard", "rasterdiff check --help"},

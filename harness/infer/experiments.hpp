@@ -1,0 +1,46 @@
+// Scenes designed so that answers to one question draw different pictures. One function a question; who draws them, and
+// what is concluded, is the engine's business (elimination.hpp).
+#pragma once
+
+#include "harness/infer/elimination.hpp"
+
+namespace rasterdiff::harness {
+
+/// Sample counts among 1, 2, 4, 8, 16 that the device offers.
+[[nodiscard]] std::vector<uint32_t> sampleCounts(const Limits& limits);
+
+/// Triangles on the grid of 1/16 pixel, whose edges run through samples in all directions: who owns them?
+[[nodiscard]] Scene tieScene(Prng& random, uint32_t samples, const rasterizer::Rules& rules);
+
+/// Edges whose middle is a sample if one end is snapped one way, and beside it if the other way. The end is halfway between
+/// two grid points (`halves`) or anywhere, also at negative coordinates. Every float32 viewport transform is exact here.
+[[nodiscard]] Scene snapScene(Prng& random, uint32_t samples, bool halves, const rasterizer::Rules& rules);
+
+/// Level edges that the contenders' arithmetic puts on different sides of a sample: viewports and w of all kinds.
+[[nodiscard]] Scene viewportScene(Prng& random, uint32_t samples, std::span<const rasterizer::Rules> contenders);
+
+/// Triangles that leave the view volume through its sides, near and far. None if all contenders draw the same.
+[[nodiscard]] std::optional<Scene> clipScene(Prng& random, uint32_t samples, std::span<const rasterizer::Rules> contenders);
+
+/// Points of the sizes that the device offers.
+[[nodiscard]] Scene pointScene(Prng& random, uint32_t samples, const Limits& limits);
+
+/// Lines of a mode and width that the device offers; none if it offers no such mode. `bresenham`: which mode.
+[[nodiscard]] std::optional<Scene> lineScene(Prng& random, uint32_t samples, bool bresenham, const Limits& limits);
+
+/// Slanted triangles with depth bias on a fixed-point or a float format.
+[[nodiscard]] Scene biasScene(Prng& random, DepthFormat format);
+
+/// Partly covered pixels with an input whose value is the place where it was evaluated, in pixels.
+[[nodiscard]] Scene placeScene(Prng& random, uint32_t samples, Interpolation interpolation, bool perspective);
+
+/// Small triangles between grid points with steep values.
+[[nodiscard]] Scene steepScene(Prng& random);
+
+/// Overlapping constant triangles, whose samples are averaged.
+[[nodiscard]] Scene resolveScene(Prng& random, uint32_t samples);
+
+/// Depth and inputs of both interpolations, in perspective.
+[[nodiscard]] Scene valueScene(Prng& random);
+
+}  // namespace rasterdiff::harness

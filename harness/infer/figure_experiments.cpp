@@ -1,0 +1,113 @@
+// Experiments about points, lines and values.
+#include <algorithm>
+#include <cmath>
+
+#include "harness/infer/experiments.hpp"
+#include "harness/infer/scene_sketch.hpp"
+#include "scene/generators/random_lines.hpp"
+#include "scene/generators/random_points.hpp"
+#include "scene/generators/random_triangles.hpp"
+
+namespace rasterdiff::harness {
+namespace {
+
+constexpr uint32_t kFigureExtent = 64;
+
+Grid someGrid(Prng& random) {
+  constexpr std::array kGrids{Grid::Half, Grid::Sixteenth, Grid::TwoHundredFiftySixth, Grid::Free};
+  return kGrids[random.below(kGrids.size())];
+}
+
+PixelPosition somewhere(Prng& random, double extent) {
+  return {random.between(0.0, extent), random.between(0.0, extent), random.between(0.125, 0.875), 1};
+}
+
+// Triangles of `size` pixels.
+void scatter(SceneSketch& sketch, Prng& random, int count, double size) {
+  const double extent = sketch.scene().target.width;
+  for (int i = 0; i < count; ++i) {
+    const PixelPosition a = somewhere(random, extent - size);
+    const auto near = [&] {
+      return PixelPosition{a.x + random.unit() * size, a.y + random.unit() * size, random.between(0.125, 0.875), 1};
+    };
+    sketch.triangle(a, near(), near());
+  }
+}
+
+}  // namespace
+
+Scene pointScene(Prng& random, uint32_t samples, const Limits& limits) {
+  const float largest = std::min(limits.pointSizeMax, 9.0F);
+  const float smallest = std::min(largest, std::max(1.0F, limits.pointSizeMin));
+  Scene scene = randomPoints({random.bits(), 40, someGrid(random), samples, smallest, largest, kFigureExtent});
+  scene.name = "infer/points";
+  return scene;
+}
+
+std::optional<Scene> lineScene(Prng& random, uint32_t samples, bool bresenham, const Limits& limits) {
+  if (!(bresenham ? limits.bresenhamLines : limits.rectangularLines)) return std::nullopt;
+  const auto mode = bresenham ? LineRasterizationMode::BRESENHAM : LineRasterizationMode::RECTANGULAR;
+  const bool wide = limits.lineWidthMax >= 4 && random.chance(50);
+  Scene scene = randomLines({random.bits(), 30, someGrid(random), samples, mode, wide ? 3.0F : 1.0F, kFigureExtent});
+  scene.name = "infer/lines";
+  return scene;
+}
+
+Scene biasScene(Prng& random, DepthFormat format) {
+  SceneSketch sketch("infer/depth-bias", 1);
+  Scene& scene = sketch.scene();
+  scene.target.depthFormat = format;
+  scene.state.depthTestEnable = scene.state.depthWriteEnable = true;
+  scene.state.depthCompareOp = CompareOp::ALWAYS;
+  scene.state.depthBiasEnable = true;
+  const bool constant = random.chance(60);
+  const double sign = random.chance(50) ? 1 : -1;
+  scene.state.depthBiasConstantFactor = constant ? static_cast<float>(sign * std::ldexp(1 + random.unit(), random.between(5, 14))) : 0.0F;
+  scene.state.depthBiasSlopeFactor = constant ? 0.0F : static_cast<float>(sign * random.between(1.0, 3.0));
+  scatter(sketch, random, 12, 14);
+  return std::move(scene);
+}
+
+Scene placeScene(Prng& random, uint32_t samples, Interpolation interpolation, bool perspective) {
+  SceneSketch sketch("infer/places", samples);
+  scatter(sketch, random, 24, 7);
+  Varying place{.name = "place", .interpolation = interpolation, .components = 2, .values = {}};
+  const auto extent = static_cast<float>(kSketchExtent);
+  for (ClipPosition& p : sketch.draw().positions) {
+    place.values.push_back((p.x + 1) * extent / 2);
+    place.values.push_back((p.y + 1) * extent / 2);
+    const float w = perspective ? static_cast<float>(1 + random.below(4)) : 1;
+    p = {p.x * w, p.y * w, p.z * w, w};
+  }
+  sketch.draw().varyings.push_back(std::move(place));
+  return std::move(sketch.scene());
+}
+
+Scene steepScene(Prng& random) {
+  SceneSketch sketch("infer/steep", 1);
+  scatter(sketch, random, 24, 9);
+  Varying steep{.name = "steep", .interpolation = Interpolation::noperspective, .components = 1, .values = {}};
+  for (size_t i = 0; i < sketch.draw().positions.size(); ++i) steep.values.push_back(static_cast<float>(random.between(-8.0, 8.0)));
+  sketch.draw().varyings.push_back(std::move(steep));
+  return std::move(sketch.scene());
+}
+
+Scene resolveScene(Prng& random, uint32_t samples) {
+  SceneSketch sketch("infer/resolve", samples);
+  sketch.scene().target.resolve = true;
+  scatter(sketch, random, 60, 9);
+  Varying constant{.name = "constant", .interpolation = Interpolation::flat, .components = 4, .values = {}};
+  for (size_t i = 0; i < sketch.draw().positions.size() * 4; ++i) {
+    constant.values.push_back(static_cast<float>(std::ldexp(random.between(-1.0, 1.0), random.between(0, 4))));
+  }
+  sketch.draw().varyings.push_back(std::move(constant));
+  return std::move(sketch.scene());
+}
+
+Scene valueScene(Prng& random) {
+  Scene scene = randomTriangles({random.bits(), 40, Grid::Free, 1, true, 128, true});
+  scene.name = "infer/values";
+  return scene;
+}
+
+}  // namespace rasterdiff::harness
