@@ -162,7 +162,8 @@ Interpolated BuiltInValues::sampleMask(const FragmentPlace& place, const Attribu
   }
   if (rules_.open && !(shading_.enabled && shading_.certain)) {
     const CoverageFreedom::Masks masks = coverage_.masks(place, location.pattern());
-    certain &= masks.certain | own;
+    // Once for all samples of the fragment, the one that it was evaluated for may be the one that is free.
+    certain &= masks.certain | (shading_.perSample ? own : 0);
     possible |= masks.possible & sampleMask_ & all;
   }
   if (mask != all) count(Rule::CoverageMask);

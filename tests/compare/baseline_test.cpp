@@ -98,7 +98,9 @@ TEST(Baseline, BadFilesAreRefusedWithTheirPlace) {
 
 TEST(BuiltInBaseline, NamesScenesOfTheCatalogueAndGivesReasons) {
   for (const BaselineEntry& entry : builtInBaseline().entries) {
-    EXPECT_FALSE(matchCatalogue(entry.scene).empty()) << entry.scene;
+    // What hunt knows by its traits is no scene of the catalogue.
+    const bool ofHunt = entry.scene.starts_with("hunt/") && !entry.when.empty();
+    EXPECT_TRUE(ofHunt || !matchCatalogue(entry.scene).empty()) << entry.scene;
     EXPECT_TRUE(entry.anchor.starts_with("vk:")) << entry.scene;
     EXPECT_FALSE(entry.reason.empty());
     EXPECT_FALSE(entry.rule.empty());
