@@ -69,7 +69,7 @@ Result<void> checkOffered(const Scene& scene, const RenderPlan& plan, const Capa
     const Result<void> depth = checkDepthFormat(*scene.target.depthFormat, plan.samples, caps);
     if (!depth) return depth;
   }
-  if (scene.target.depthResolveMode && !(caps.depthResolveModes & plan.depthResolve)) {
+  if (scene.target.depthResolveMode && !(caps.depthResolveModes & static_cast<VkResolveModeFlags>(plan.depthResolve))) {
     return notOffered("target.depthResolveMode", fmt::format("{} is not offered", enumName(*scene.target.depthResolveMode)));
   }
   if (const Result<void> viewport = checkViewport("viewport", scene.viewport, caps); !viewport) return viewport;

@@ -51,7 +51,7 @@ void apply(const Run& run, const Finding& finding, const BlessingOptions& option
   if (!removed.empty()) blessing.gone.push_back(finding.scene);
   entries.erase(removed.begin(), removed.end());
   if (better) return;
-  entries.push_back({run.driver, run.version, run.rules, finding.scene, finding.planes, options.rule, options.anchor, options.reason});
+  entries.push_back({run.driver, run.version, run.rules, finding.scene, finding.planes, options.rule, options.anchor, options.reason, ""});
   blessing.added.push_back(finding.scene);
 }
 
