@@ -105,7 +105,7 @@ constexpr const char* kListExamples = R"(Examples:
   rasterdiff list --mutants        deliberate errors for --driver mutant:NAME
   rasterdiff list --freedoms       what the specification leaves open)";
 
-constexpr const char* kMethodsExamples = R"(FAMILY: coverage, polygon, line, interpolation, sampling, jaggies, aliasing or moire. None: all.
+constexpr const char* kMethodsExamples = R"(FAMILY: coverage, polygon, line, interpolation, depth, sampling, jaggies, aliasing or moire. None: all.
 What a coverage method costs on a whole scene: rasterdiff check 'fill/*' --driver method:edge-float
 
 Examples:

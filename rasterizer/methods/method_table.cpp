@@ -13,6 +13,8 @@ std::span<const MethodFamily> methodFamilies() {
       {"polygon", "a polygon on 32 × 32 pixels", "pixels that differ", "wrong pixels a polygon"},
       {"line", "a line within 32 × 32 pixels", "pixels missing or too many", "wrong pixels a line"},
       {"interpolation", "a value", "values that are not correctly rounded", "ULP of float32"},
+      {"depth", "a distance, one of 16,384 evenly spread by their logarithm", "distances that have another one's depth",
+       "how many others have the same depth"},
       {"sampling", "a partly covered pixel", "pixels that differ in 8 bits", "fraction of a pixel's area"},
       {"jaggies", "a pixel column", "columns off by more than 1/16 pixel", "pixels between seen and true edge"},
       {"aliasing", "a pixel", "pixels that differ in 8 bits", "brightness, 0..1"},
@@ -27,6 +29,7 @@ std::vector<MethodRow> methodTable(const MethodTableOptions& options) {
   measurePolygons(options, rows);
   measureLines(options, rows);
   measureInterpolation(options, rows);
+  measureDepth(rows);
   measureSampling(options, rows);
   measureAliasing(options, rows);
   return rows;

@@ -26,7 +26,7 @@ struct MethodFamily {
   std::string_view errorIs;  ///< the error of a case and its unit
 };
 
-/// "coverage", "polygon", "line", "interpolation", "sampling", "jaggies", "aliasing", "moire", in the order of the table.
+/// "coverage", "polygon", "line", "interpolation", "depth", "sampling", "jaggies", "aliasing", "moire", in the order of the table.
 [[nodiscard]] std::span<const MethodFamily> methodFamilies();
 
 struct MethodTableOptions {
@@ -45,6 +45,7 @@ void measureCoverage(const MethodTableOptions& options, std::vector<MethodRow>& 
 void measurePolygons(const MethodTableOptions& options, std::vector<MethodRow>& rows);
 void measureLines(const MethodTableOptions& options, std::vector<MethodRow>& rows);
 void measureInterpolation(const MethodTableOptions& options, std::vector<MethodRow>& rows);
+void measureDepth(std::vector<MethodRow>& rows);  ///< has no random inputs
 void measureSampling(const MethodTableOptions& options, std::vector<MethodRow>& rows);
 void measureAliasing(const MethodTableOptions& options, std::vector<MethodRow>& rows);
 
