@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
-
 namespace rasterdiff::rasterizer {
 
 Result<void> checkPolygon(const Polygon& polygon, int32_t width, int32_t height) {
@@ -11,19 +9,7 @@ Result<void> checkPolygon(const Polygon& polygon, int32_t width, int32_t height)
     return fail(ErrorCode::BadInput, "polygon", fmt::format("the mask has {} × {} pixels", width, height),
                 fmt::format("give 1 to {} pixels a side", kMaxMaskExtent));
   }
-  const size_t count = polygon.vertices.size();
-  if (count < 3 || count > kMaxPolygonVertices) {
-    return fail(ErrorCode::BadInput, "polygon", fmt::format("it has {} vertices", count),
-                fmt::format("give 3 to {} vertices", kMaxPolygonVertices));
-  }
-  for (size_t i = 0; i < count; ++i) {
-    const SubpixelPosition p = polygon.vertices[i];
-    if (std::abs(int64_t{p.x}) > kMaxPolygonCoordinate || std::abs(int64_t{p.y}) > kMaxPolygonCoordinate) {
-      return fail(ErrorCode::BadInput, fmt::format("polygon vertex {}", i), "a coordinate is out of range",
-                  fmt::format("keep within ±{} pixels", kMaxPolygonCoordinate / kSubpixelOne));
-    }
-  }
-  return {};
+  return rasterdiff::checkPolygon(polygon);
 }
 
 int32_t windingNumber(const Polygon& polygon, SubpixelPosition p) {

@@ -1,34 +1,16 @@
-// A polygon on the subpixel grid, and the definition of what it covers: the winding number of a point. How to find the
-// covered pixels faster than by asking for each of them is left to the polygon methods.
+// The definition of what a polygon covers: the winding number of a point. How to find the covered pixels faster than by
+// asking for each of them is left to the polygon methods.
 #pragma once
 
-#include <vector>
-
 #include "rasterizer/methods/pixel_mask.hpp"
-#include "scene/result.hpp"
-#include "scene/spaces.hpp"
+#include "scene/polygon/polygon.hpp"
 
 namespace rasterdiff::rasterizer {
 
-/// One closed contour (the last vertex is joined to the first), in any winding; it may be concave and cross itself.
-struct Polygon {
-  std::vector<SubpixelPosition> vertices;
-  friend bool operator==(const Polygon&, const Polygon&) = default;
-};
-
-enum class FillRule : uint8_t {
-  EvenOdd,  ///< inside where the winding number is odd (parity)
-  NonZero,  ///< inside where it is not zero
-};
-
-inline constexpr size_t kMaxPolygonVertices = size_t{1} << 20;
-/// Largest |coordinate|, 1/256 pixel, that keeps all products of the polygon methods within 64 bits.
-inline constexpr int32_t kMaxPolygonCoordinate = 1 << 28;
 /// Largest mask, pixels a side.
 inline constexpr int32_t kMaxMaskExtent = 1 << 14;
 
-/// At least three vertices, at most kMaxPolygonVertices, all coordinates in range, mask of 1..kMaxMaskExtent pixels.
-/// Error: BadInput.
+/// The polygon as rasterdiff::checkPolygon has it, and a mask of 1..kMaxMaskExtent pixels a side. Error: BadInput.
 [[nodiscard]] Result<void> checkPolygon(const Polygon& polygon, int32_t width, int32_t height);
 
 [[nodiscard]] constexpr bool isInside(int32_t windingNumber, FillRule rule) {

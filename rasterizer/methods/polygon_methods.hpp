@@ -23,7 +23,7 @@ namespace rasterdiff::rasterizer {
 /// polygons; a concave one is filled beyond its border. `rule` is not looked at.
 [[nodiscard]] Result<PixelMask> drawPolygonFan(const Polygon& polygon, FillRule rule, int32_t width, int32_t height);
 
-/// The triangles of polygon_triangulation.hpp, each as in the fan.
+/// The triangles of scene/polygon/triangulation.hpp, each as in the fan.
 [[nodiscard]] Result<PixelMask> drawPolygonTriangulated(const Polygon& polygon, FillRule rule, int32_t width,
                                                         int32_t height);
 

@@ -49,11 +49,6 @@ bool clipPosition(Reader& reader, const JsonValue& value, bool allowNonFinite, C
   return true;
 }
 
-const Viewport& viewportOf(const DrawContext& context, const Draw& draw) {
-  const auto& further = context.scene.furtherViewports;
-  return draw.viewportIndex == 0 ? context.scene.viewport : further[draw.viewportIndex - 1].viewport;
-}
-
 /// `n` holds as many numbers as kCoordinates wants of world space or pixels.
 ClipPosition transformed(Space space, const DrawContext& context, const Viewport& viewport, const std::vector<double>& n) {
   if (space == Space::World) return toClip(*context.clipFromWorld, n[0], n[1], n[2]);
@@ -118,6 +113,11 @@ bool readNpy(Reader& reader, const JsonValue& value, Space space, const DrawCont
 }
 
 }  // namespace
+
+const Viewport& viewportOf(const DrawContext& context, const Draw& draw) {
+  const auto& further = context.scene.furtherViewports;
+  return draw.viewportIndex == 0 ? context.scene.viewport : further[draw.viewportIndex - 1].viewport;
+}
 
 bool readPositions(Reader& reader, const JsonValue& draw, const DrawContext& context, Draw& out) {
   Space space = Space::Clip;

@@ -32,6 +32,29 @@ struct DrawContext {
 /// `space` and `positions` of a draw whose viewport is known; positions are given, or the path of a .npy file.
 bool readPositions(Reader& reader, const JsonValue& draw, const DrawContext& context, Draw& out);
 
+/// The viewport that a draw's viewportIndex names.
+[[nodiscard]] const Viewport& viewportOf(const DrawContext& context, const Draw& draw);
+
+/// The varyings that a mesh or a polygon brings itself.
+struct OfferedVaryings {
+  const char* owner;  ///< "a mesh"
+  std::span<const std::string_view> names;
+};
+
+/// `varyings` of a draw, if it has them; `offered` null: each with its values.
+bool readVaryings(Reader& reader, const JsonValue& draw, const OfferedVaryings* offered, bool allowNonFinite,
+                  std::vector<Varying>& out);
+
+/// Each vertex has a number or an array of 1 to `most` numbers, all alike; `count` is how many.
+bool readVertexArrays(Reader& reader, const JsonValue& value, std::string_view what, uint32_t most, bool allowNonFinite,
+                      uint32_t& count, std::vector<float>& out);
+
+/// In range already: pixels are those of this viewport.
+bool readViewportIndex(Reader& reader, const JsonValue& draw, const DrawContext& context, Draw& out);
+
+/// A draw with `svg` or `points`.
+bool readPolygon(Reader& reader, const JsonValue& value, const DrawContext& context, Draw& draw);
+
 bool readDraw(Reader& reader, const JsonValue& value, const DrawContext& context, Draw& draw);
 
 }  // namespace rasterdiff

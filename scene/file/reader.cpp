@@ -61,6 +61,11 @@ std::string Reader::suggest(std::string_view name, std::span<const std::string_v
   return fmt::format("one of {}", fmt::join(known, ", "));
 }
 
+size_t Reader::offsetInText(const JsonValue& value, size_t at) const {
+  const bool verbatim = text_.substr(value.offset() + 1).starts_with(value.text());
+  return verbatim ? value.offset() + 1 + at : value.offset();
+}
+
 bool Reader::object(const JsonValue& value, std::string_view what, std::span<const std::string_view> known,
                     std::initializer_list<std::string_view> required) {
   if (value.kind() != JsonKind::Object) return expected(value, fmt::format("an object ({})", what));

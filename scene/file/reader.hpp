@@ -29,6 +29,8 @@ class Reader {
     return fail(value.offset(), std::move(what), std::move(hint));
   }
   [[nodiscard]] const Error& error() const { return *error_; }
+  /// Where byte `at` of a string's text stands in the file; the string itself where escapes are in the way.
+  [[nodiscard]] size_t offsetInText(const JsonValue& value, size_t at) const;
 
   /// `value` is an object and has no fields but `known`; a missing one of `required` is an error.
   bool object(const JsonValue& value, std::string_view what, std::span<const std::string_view> known,

@@ -7,8 +7,8 @@
 #include "rasterizer/edge_function.hpp"
 #include "rasterizer/methods/method_inputs.hpp"
 #include "rasterizer/methods/polygon_methods.hpp"
-#include "rasterizer/methods/polygon_triangulation.hpp"
 #include "rasterizer/methods/triangle_pixels.hpp"
+#include "scene/polygon/triangulation.hpp"
 #include "tests/methods/rational_geometry.hpp"
 
 namespace rasterdiff::rasterizer {
@@ -131,7 +131,8 @@ TEST(Triangulation, OfSimplePolygonsIsExactWithoutOverlapAndAddsNoVertex) {
       polygonArea += doubleArea(polygon.vertices[0], polygon.vertices[k], polygon.vertices[k + 1]);
     }
     uint64_t pixels = 0, once = 0;
-    for (const SnappedTriangle& triangle : triangulation->triangles) {
+    for (const auto& corners : triangulation->triangles) {
+      const SnappedTriangle triangle{corners};
       area += std::abs(doubleArea(triangle.v[0], triangle.v[1], triangle.v[2]));
       PixelMask mask(kInputExtent, kInputExtent);
       addTrianglePixels(triangle, mask);

@@ -4,7 +4,7 @@
 
 namespace rasterdiff::testing {
 
-int rationalWinding(const rasterizer::Polygon& polygon, SubpixelPosition sample) {
+int rationalWinding(const Polygon& polygon, SubpixelPosition sample) {
   const Rational epsilon(1, 1ll << 40);
   const Rational x = sample.x + epsilon, y = sample.y + epsilon * epsilon;
   int winding = 0;

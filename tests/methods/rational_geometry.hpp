@@ -14,7 +14,7 @@ namespace rasterdiff::testing {
 using Rational = boost::multiprecision::cpp_rational;
 
 /// Winding number of the sample moved right by ε and down by ε² with ε = 2^-40, by a ray that runs down.
-int rationalWinding(const rasterizer::Polygon& polygon, SubpixelPosition sample);
+int rationalWinding(const Polygon& polygon, SubpixelPosition sample);
 
 /// Twice the area of triangle ∩ pixel in 1/65536 pixel²: Sutherland-Hodgman clipping, then the shoelace formula.
 Rational rationalDoubleArea(const rasterizer::SnappedTriangle& triangle, rasterizer::PixelIndex pixel);

@@ -65,6 +65,30 @@ TEST(BadSceneFile, DuplicateKeysAreRefused) {
   expectRefused({R"({"target": {"width": [1, {"a": 1}], "height": 2, ^"width": 2}})", "a second field 'width'"});
 }
 
+TEST(BadSceneFile, MistakesInPolygonsAreAtTheCharacter) {
+  const Bad table[] = {
+      {R"({"target": {"width": 8, "height": 8}, "draws": [{"points": "1,2 3,4 ^x,5"}]})", "a number is expected", "x,y"},
+      {R"({"target": {"width": 8, "height": 8}, "draws": [{"points": "1,2 3,4 5^"}]})", "odd number"},
+      {R"({"target": {"width": 8, "height": 8}, "draws": [{"points": "^1,2 3,4"}]})", "a polygon of 2 points"},
+      {R"({"target": {"width": 8, "height": 8}, "draws": [{"points": "1,2 3,4 5,^-2e6"}]})", "out of range", "pixels"},
+      {R"({"target": {"width": 8, "height": 8}, "draws": [{"points": ^"1,2\t3,x"}]})", "a number is expected"},
+      {R"({"target": {"width": 8, "height": 8}, "draws": [{"points": ^"0,0 1,1 2,2"}]})", "no polygon covers any area"},
+      {R"({"target": {"width": 8, "height": 8}, "draws": [{"points": ^[1, 2]}]})", "expected a string"},
+      {R"({"target": {"width": 8, "height": 8}, "draws": [{"points": "0,0 1,0 1,1", "fillRule": ^"odd"}]})",
+       "no fillRule", "evenodd"},
+      {R"({"target": {"width": 8, "height": 8}, "draws": [{"svg": "a.svg", ^"fillRule": "evenodd"}]})", "fillRule"},
+      {R"({"target": {"width": 8, "height": 8}, "draws": [{"points": "0,0 1,0 1,1", ^"indices": [0]}]})", "indices"},
+      {R"({"target": {"width": 8, "height": 8}, "draws": [{"points": "0,0 1,0 1,1", "z": ^"near"}]})", "number"},
+      {R"({"target": {"width": 8, "height": 8}, "draws": [{"points": "0,0 1,0 1,1", "viewportIndex": ^1}]})",
+       "viewport 1 but only 1"},
+      {R"({"target": {"width": 8, "height": 8}, "draws": [{"points": "0,0 1,0 1,1", "varyings": [{"name": ^"normal"}]}]})",
+       "a polygon has no 'normal'", "position"},
+      {R"({"target": {"width": 8, "height": 8}, "state": {"topology": "LINE_LIST"}, "draws": [^{"points": "0,0 1,0 1,1"}]})",
+       "TRIANGLE_LIST"},
+  };
+  for (const Bad& bad : table) expectRefused(bad);
+}
+
 TEST(BadSceneFile, WrongTypesAndRangesAreAtTheValue) {
   const Bad table[] = {
       {"^[]", "expected an object (scene), found an array"},

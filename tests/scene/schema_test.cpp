@@ -75,6 +75,8 @@ TEST_F(SchemaTest, WhatTheLoaderAcceptsConforms) {
             R"("target": {"width": 8, "height": 8, "samples": 16, "depthFormat": "D32_SFLOAT", "depthClearValue": 0})"),
       withDraw(R"({"space": "pixels", "positions": [[1, 2], [1, 2, 0.5], [1, 2, 0.5, 1]], "indices": [0, 1, 2]})"),
       withDraw(R"({"space": "world", "positions": [[1, 2, "0x.8p0"]]})"),
+      withDraw(R"({"points": "0,0 4,0 4,4"})"),
+      withDraw(R"({"points": "0,0 4,0 4,4", "fillRule": "evenodd", "z": "0x.8p0", "varyings": [{"name": "position"}]})"),
       withDraw(
           R"({"positions": [[0, 0, 0, 1], [0, 0, 0, 1]], "pointSizes": [1, "0x1p-1"], "clipDistances": [[1, 0], [-1, 2]], "cullDistances": [1, 0], "varyings": [{"name": "a", "interpolation": "offset", "offset": [-0.5, "0x1p-4"], "values": [1, 2]}]})"),
       scene(
@@ -101,6 +103,10 @@ TEST_F(SchemaTest, WhatItRefusesTheLoaderRefusesToo) {
       "{}",
       "3",
       scene("", kTarget, R"("draws": [])"),
+      withDraw(R"({"points": "0,0 4,0 4,4", "svg": "a.svg"})"),
+      withDraw(R"({"svg": "a.svg", "fillRule": "evenodd"})"),
+      withDraw(R"({"points": "0,0 4,0 4,4", "fillRule": "parity"})"),
+      withDraw(R"({"points": [0, 0]})"),
       scene(R"("nmae": "x")"),
       scene(R"("name": 3)"),
       scene("", R"("target": {"width": 0, "height": 8})"),

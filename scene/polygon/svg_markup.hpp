@@ -8,7 +8,7 @@
 
 #include "scene/result.hpp"
 
-namespace rasterdiff::rasterizer {
+namespace rasterdiff {
 
 struct SvgAttribute {
   std::string_view name, value;
@@ -24,10 +24,7 @@ struct SvgTag {
 };
 
 /// Start tags and empty-element tags in order; comments, CDATA, declarations, processing instructions and end tags are
-/// passed over. Error: BadInput with `where` "svg:line:column".
-[[nodiscard]] Result<std::vector<SvgTag>> svgTags(std::string_view text);
+/// passed over. Error: BadInput with `where` "fileName:line:column".
+[[nodiscard]] Result<std::vector<SvgTag>> svgTags(std::string_view text, const std::string& fileName);
 
-/// "svg:line:column" of an offset, 1-based.
-[[nodiscard]] std::string svgPlace(std::string_view text, size_t offset);
-
-}  // namespace rasterdiff::rasterizer
+}  // namespace rasterdiff

@@ -2,15 +2,15 @@
 // lecture names. It also turns crossings of the contour into vertices; these need not lie on the grid.
 #pragma once
 
+#include <array>
 #include <vector>
 
-#include "rasterizer/kernels/snapped_triangle.hpp"
-#include "rasterizer/methods/polygon.hpp"
+#include "scene/polygon/polygon.hpp"
 
-namespace rasterdiff::rasterizer {
+namespace rasterdiff {
 
 struct Triangulation {
-  std::vector<SnappedTriangle> triangles;  ///< disjoint, in either winding, without zero areas
+  std::vector<std::array<SubpixelPosition, 3>> triangles;  ///< disjoint, in either winding, without zero areas
   /// Crossings that were rounded to the grid: with none the triangles cover exactly what the polygon covers.
   uint32_t roundedVertices = 0;
 };
@@ -19,4 +19,4 @@ struct Triangulation {
 /// library gives up on the polygon.
 [[nodiscard]] Result<Triangulation> triangulate(const Polygon& polygon, FillRule rule);
 
-}  // namespace rasterdiff::rasterizer
+}  // namespace rasterdiff

@@ -1,21 +1,24 @@
-#include "rasterizer/methods/svg_markup.hpp"
+#include "scene/polygon/svg_markup.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-namespace rasterdiff::rasterizer {
+#include "scene/file/json_document.hpp"
+
+namespace rasterdiff {
 namespace {
 
 constexpr std::string_view kSpaces = " \t\r\n";
 
 struct Cursor {
   std::string_view text;
+  const std::string& fileName;
   size_t at = 0;
 
   [[nodiscard]] bool startsWith(std::string_view what) const { return text.substr(at).starts_with(what); }
   [[nodiscard]] tl::unexpected<Error> error(size_t offset, std::string what) const {
-    return fail(ErrorCode::BadInput, svgPlace(text, offset), std::move(what), "check the markup");
+    return fail(ErrorCode::BadInput, textPosition(text, offset, fileName), std::move(what), "check the markup");
   }
   void skipSpaces() { at = std::min(text.find_first_not_of(kSpaces, at), text.size()); }
   /// Moves behind `end`; false if it does not occur.
@@ -79,13 +82,13 @@ const SvgAttribute* SvgTag::find(std::string_view attribute) const {
   return found == attributes.end() ? nullptr : &*found;
 }
 
-Result<std::vector<SvgTag>> svgTags(std::string_view text) {
+Result<std::vector<SvgTag>> svgTags(std::string_view text, const std::string& fileName) {
   struct Skipped {
     std::string_view begin, end;
   };
   static constexpr Skipped kSkipped[] = {{"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<!", ">"}, {"<?", "?>"}, {"</", ">"}};
   std::vector<SvgTag> tags;
-  Cursor cursor{text};
+  Cursor cursor{text, fileName};
   while ((cursor.at = text.find('<', cursor.at)) != std::string_view::npos) {
     const auto* skipped = std::find_if(std::begin(kSkipped), std::end(kSkipped),
                                        [&](const Skipped& s) { return cursor.startsWith(s.begin); });
@@ -102,11 +105,4 @@ Result<std::vector<SvgTag>> svgTags(std::string_view text) {
   return tags;
 }
 
-std::string svgPlace(std::string_view text, size_t offset) {
-  const std::string_view before = text.substr(0, offset);
-  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-  const size_t lineStart = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
-  return fmt::format("svg:{}:{}", line, offset - lineStart + 1);
-}
-
-}  // namespace rasterdiff::rasterizer
+}  // namespace rasterdiff

@@ -1,4 +1,4 @@
-#include "rasterizer/methods/polygon_triangulation.hpp"
+#include "scene/polygon/triangulation.hpp"
 
 #include <GL/glu.h>
 #include <fmt/format.h>
@@ -8,11 +8,7 @@
 #include <deque>
 #include <memory>
 
-#include "rasterizer/edge_function.hpp"
-#include "rasterizer/methods/polygon_methods.hpp"
-#include "rasterizer/methods/triangle_pixels.hpp"
-
-namespace rasterdiff::rasterizer {
+namespace rasterdiff {
 namespace {
 
 /// What the library's callbacks build; vertices are handed to it by address.
@@ -46,6 +42,11 @@ AnyCallback asCallback(Function* function) {
   return reinterpret_cast<AnyCallback>(function);
 }
 
+/// // Q20.8 × Q20.8, differences ≤ 2^29, products ≤ 2^58
+bool hasArea(SubpixelPosition a, SubpixelPosition b, SubpixelPosition c) {
+  return (int64_t{b.x} - a.x) * (int64_t{c.y} - a.y) != (int64_t{b.y} - a.y) * (int64_t{c.x} - a.x);
+}
+
 struct TessellatorDeleter {
   void operator()(GLUtesselator* tessellator) const { gluDeleteTess(tessellator); }
 };
@@ -53,7 +54,7 @@ struct TessellatorDeleter {
 }  // namespace
 
 Result<Triangulation> triangulate(const Polygon& polygon, FillRule rule) {
-  if (auto ok = checkPolygon(polygon, 1, 1); !ok) return tl::unexpected(ok.error());
+  if (auto ok = checkPolygon(polygon); !ok) return tl::unexpected(ok.error());
   const std::unique_ptr<GLUtesselator, TessellatorDeleter> tessellator(gluNewTess());
   if (!tessellator) return fail(ErrorCode::BadInput, "polygon", "the tessellator could not be made");
   gluTessCallback(tessellator.get(), GLU_TESS_VERTEX_DATA, asCallback(onVertex));
@@ -82,19 +83,10 @@ Result<Triangulation> triangulate(const Polygon& polygon, FillRule rule) {
   Triangulation result;
   result.roundedVertices = collector.rounded;
   for (size_t i = 0; i + 2 < collector.corners.size(); i += 3) {
-    const SnappedTriangle triangle{{*collector.corners[i], *collector.corners[i + 1], *collector.corners[i + 2]}};
-    if (doubleArea(triangle.v[0], triangle.v[1], triangle.v[2]) != 0) result.triangles.push_back(triangle);
+    const SubpixelPosition a = *collector.corners[i], b = *collector.corners[i + 1], c = *collector.corners[i + 2];
+    if (hasArea(a, b, c)) result.triangles.push_back({a, b, c});
   }
   return result;
 }
 
-Result<PixelMask> drawPolygonTriangulated(const Polygon& polygon, FillRule rule, int32_t width, int32_t height) {
-  if (auto ok = checkPolygon(polygon, width, height); !ok) return tl::unexpected(ok.error());
-  const Result<Triangulation> triangulation = triangulate(polygon, rule);
-  if (!triangulation) return tl::unexpected(triangulation.error());
-  PixelMask mask(width, height);
-  for (const SnappedTriangle& triangle : triangulation->triangles) addTrianglePixels(triangle, mask);
-  return mask;
-}
-
-}  // namespace rasterdiff::rasterizer
+}  // namespace rasterdiff
