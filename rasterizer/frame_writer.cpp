@@ -43,7 +43,7 @@ uint32_t maskUnder(const State& state, uint32_t samples, DeliberateError error) 
 }  // namespace
 
 FrameWriter::FrameWriter(const Scene& scene, const SceneNeeds& needs, const Rules& rules,
-                         std::vector<SubpixelPosition> pattern, RuleCounts& counts)
+                         std::vector<SubpixelPosition> pattern, const PieceValues& values, RuleCounts& counts)
     : state_(withError(scene.state, rules.error)), rules_(rules), error_(rules.error), pattern_(std::move(pattern)), counts_(counts),
       sampleMask_(maskUnder(scene.state, scene.target.samples, rules.error)), open_(rules.open),
       openValues_(rules.openValues()), resolve_(scene.target.resolve),
@@ -72,6 +72,15 @@ FrameWriter::FrameWriter(const Scene& scene, const SceneNeeds& needs, const Rule
   }
   varyings_ = frame_.varyings.size();
   for (const BuiltIn builtIn : scene.builtIns) addPlane(builtInName(builtIn), builtInComponents(builtIn));
+  if (LateValues::serve(scene, needs, values)) late_.emplace(state_, pattern_, openValues_, frame_, counts_);
+}
+
+void FrameWriter::beginPiece(uint32_t primitive, const PieceValues& values) {
+  if (late_) late_->begin(primitive, values);
+}
+
+void FrameWriter::endPiece(const PieceValues& values) {
+  if (late_) late_->end(values);
 }
 
 void FrameWriter::addPlane(std::string_view name, uint32_t components) {
@@ -120,7 +129,7 @@ void FrameWriter::expect(int32_t x, int32_t firstRow, int32_t lastRow) const {
     __builtin_prefetch(&frame_.count.data[i], 1);
     if (!frame_.depth) continue;
     __builtin_prefetch(&frame_.depth->data[i], 1);
-    __builtin_prefetch(&frame_.depthBounds->data[i], 1);
+    if (!late_) __builtin_prefetch(&frame_.depthBounds->data[i], 1);
   }
 #endif
 }
@@ -130,6 +139,10 @@ void FrameWriter::writeRow(uint32_t primitive, PieceValues& values, int32_t y, s
   if (error_ != DeliberateError::None) mistakeRow(values, y, rasterized);
   if (!frame_.depth && frame_.varyings.empty()) {
     fillCoverage(primitive, y, spans);
+    return;
+  }
+  if (late_) {
+    late_->writeRow(y, spans);
     return;
   }
   values_.resize(values.componentCount());
@@ -257,7 +270,8 @@ void FrameWriter::markCoverage(int32_t x, int32_t y, uint32_t sample, Coverage c
   if (known != Coverage::In) known = alpha_ ? Coverage::Either : coverage;
 }
 
-Frame FrameWriter::take() {
+Frame FrameWriter::take(PieceValues& values) {
+  if (late_) late_->settle(values);
   for (size_t v = 0; resolve_ && v < varyings_; ++v) {
     frame_.resolved.push_back(resolved(frame_.varyings[v], rules_, counts_));
   }

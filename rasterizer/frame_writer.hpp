@@ -5,15 +5,22 @@
 #include <string_view>
 
 #include "rasterizer/interpolation.hpp"
+#include "rasterizer/late_values.hpp"
 #include "rasterizer/row_span.hpp"
 
 namespace rasterdiff::rasterizer {
 
 class FrameWriter {
  public:
-  /// Allocates only the planes of `needs`.
+  /// Allocates only the planes of `needs`. `values`: what the pieces and figures will be set up in.
   FrameWriter(const Scene& scene, const SceneNeeds& needs, const Rules& rules, std::vector<SubpixelPosition> pattern,
-              RuleCounts& counts);
+              const PieceValues& values, RuleCounts& counts);
+  FrameWriter(const FrameWriter&) = delete;
+  FrameWriter& operator=(const FrameWriter&) = delete;
+
+  /// The rows between them are those of one filled triangle.
+  void beginPiece(uint32_t primitive, const PieceValues& values);
+  void endPiece(const PieceValues& values);
 
   /// Fetches what the next piece will write, from pixel x of its rows [firstRow, lastRow]; meshes are drawn in no order
   /// that memory would like. Rows have to be inside the target.
@@ -27,7 +34,7 @@ class FrameWriter {
   void markCoverage(int32_t x, int32_t y, uint32_t sample, Coverage coverage);
 
   /// Resolves, where the scene asks for it, and gives the frame away.
-  [[nodiscard]] Frame take();
+  [[nodiscard]] Frame take(PieceValues& values);
 
  private:
   void addPlane(std::string_view name, uint32_t components);
@@ -49,6 +56,7 @@ class FrameWriter {
   bool ditheredAlpha_ = false;
   RuleCounts& counts_;
   Frame frame_;
+  std::optional<LateValues> late_;
   std::vector<Interpolated> values_;
   std::vector<RowSpan> masked_;
   uint32_t sampleMask_ = 0;    ///< bits of the samples there are

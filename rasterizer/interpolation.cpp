@@ -43,6 +43,9 @@ PieceValues::PieceValues(const Scene& scene, const SceneNeeds& needs, const Rule
   outside_ = multisampled || inputs_.anyAt(Location::Offset) ? 1 : 0;
   planes_.inputs.resize(inputs_.size());
   constants_.resize(inputs_.size());
+  const bool elsewhere = inputs_.anyAt(Location::Centroid) || inputs_.anyAt(Location::Sample) || inputs_.anyAt(Location::Offset);
+  mayWait_ = !elsewhere && !builtIns_.any() && !perSample_ && !needsMask_ && !rules.variation &&
+             rules.error == DeliberateError::None && (!needs.depth || plainDepth_);
 }
 
 bool PieceValues::setUpCurrent(const Primitive& primitive, const SetupTriangle* piece, const Figure* figure) {
@@ -236,8 +239,25 @@ EvaluationRegion PieceValues::regionOf(const Component& component, const Fragmen
   return location_.around(centreOf(place), storage_);
 }
 
+template <size_t kSpots>
+void PieceValues::fragmentAtCentre(const FragmentPlace& place, Interpolated* out) const {
+  PixelValues<kSpots> pixel(place.x + 0.5, place.y + 0.5);
+  if (needsW_) pixel.setDenominator(planes_.reciprocalW);
+  for (size_t c = 0; c < inputs_.size(); ++c) {
+    const LinearFunction& f = planes_.inputs[c];
+    switch (inputs_[c].kind) {
+      case Kind::Flat: *out++ = exactly(constants_[c]); break;
+      case Kind::Linear: *out++ = toFloat(pixel.linear(f)); break;
+      case Kind::Perspective: *out++ = toFloat(pixel.quotient(f)); break;
+    }
+  }
+}
+
 void PieceValues::fragment(const FragmentPlace& place, Interpolated* out) {
   if (varied_) return variedFragment(place, out);
+  if (mayWait_ && figure_ == nullptr) {
+    return location_.areaIsFree() ? fragmentAtCentre<5>(place, out) : fragmentAtCentre<1>(place, out);
+  }
   const EvaluationRegion centre = location_.around(centreOf(place), centreStorage_);
   const bool triangle = figure_ == nullptr;
   const Denominator<4> denominator(planes_.reciprocalW, centre);  // of the many that are evaluated around the centre

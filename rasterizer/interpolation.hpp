@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "rasterizer/depth/depth_stage.hpp"
@@ -35,6 +36,15 @@ class PieceValues {
   /// All components of all varyings evaluated at one point, whatever their interpolation says of places.
   void varyings(double x, double y, Interpolated* out) const;
 
+  /// Depth is rounded and no more, and inputs are evaluated at the centre of the pixel without counting anything: then
+  /// they may be evaluated when all is drawn, from planes that were kept.
+  [[nodiscard]] bool mayWait() const { return mayWait_; }
+  [[nodiscard]] const LinearFunction& depthPlane() const { return planes_.depth; }
+  /// Appends the planes and flat inputs of the current triangle; restore() makes those of the nth that was saved current,
+  /// for depth() and fragment().
+  void save(std::vector<LinearFunction>& planes, std::vector<float>& constants) const;
+  void restore(size_t n, std::span<const LinearFunction> planes, std::span<const float> constants);
+
   [[nodiscard]] size_t componentCount() const { return inputs_.size() + builtIns_.componentCount(); }
   /// Values differ between the samples of a fragment: otherwise one evaluation serves them all.
   [[nodiscard]] bool perSample() const { return perSample_; }
@@ -57,6 +67,8 @@ class PieceValues {
   void varyTriangle(const std::array<const RasterVertex*, 3>& vertices);
   void varyLine(const Figure& figure, bool majorAxis);
   [[nodiscard]] Interval varied(size_t component, Spot spot) const;
+  template <size_t kSpots>
+  void fragmentAtCentre(const FragmentPlace& place, Interpolated* out) const;
   void variedFragment(const FragmentPlace& place, Interpolated* out);
   void setUpPoint(const RasterVertex& vertex);
   void setUpLine(const Figure& figure);
@@ -75,6 +87,7 @@ class PieceValues {
   BuiltInValues builtIns_;
   DepthStage depthStage_;
   bool perSample_ = false, needsMask_ = false, needsW_ = false, needsDepth_ = false;
+  bool mayWait_ = false;
   bool plainDepth_ = false;        ///< of a triangle: nothing to do but to round
   bool perspectiveDepth_ = false;  ///< a deliberate error
   double outside_ = 0;  ///< pixels outside of a triangle where its planes may be evaluated

@@ -26,7 +26,7 @@ class Renderer {
         pattern_(pattern),
         whole_(wholeTarget(scene)),
         values_(scene, needsOf(scene), rules, &counts),
-        writer_(scene, needsOf(scene), rules, std::move(pattern), counts),
+        writer_(scene, needsOf(scene), rules, std::move(pattern), values_, counts),
         open_(rules.open),
         spans_(pattern_.size()) {
     for (uint32_t index = 0; index <= scene.furtherViewports.size(); ++index) {
@@ -42,14 +42,16 @@ class Renderer {
       const Box box = boxOf(primitive, piece);
       expect(box);
       values_.setUp(primitive, piece);
+      writer_.beginPiece(primitive.number, values_);
       countInterpolation(primitive, drawPiece(primitive, piece, box));
+      writer_.endPiece(values_);
     }
     for (const Figure& figure : primitive.figures) drawFigure(primitive, figure);
     if (open_ && primitive.unprojectable) markEverything();
     if (open_ && !primitive.polygon.empty()) markBand(primitive);
   }
 
-  Frame take() { return writer_.take(); }
+  Frame take() { return writer_.take(values_); }
 
  private:
   static constexpr int32_t kExpectedRows = 16;  // of taller pieces the processor fetches the rest by itself

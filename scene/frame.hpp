@@ -8,16 +8,20 @@
 #include <string>
 #include <vector>
 
+#include "scene/plane_memory.hpp"
+
 namespace rasterdiff {
 
 /// height × width × samples × components, row-major.
 template <class T>
 struct Plane {
   uint32_t width = 0, height = 0, samples = 1, components = 1;
-  std::vector<T> data;
+  std::vector<T, ZeroedAllocator<T>> data;
 
   Plane() = default;
-  Plane(uint32_t w, uint32_t h, uint32_t s, uint32_t c = 1, T fill = T{})
+  /// All zero.
+  Plane(uint32_t w, uint32_t h, uint32_t s, uint32_t c = 1) : width(w), height(h), samples(s), components(c), data(size_t{w} * h * s * c) {}
+  Plane(uint32_t w, uint32_t h, uint32_t s, uint32_t c, T fill)
       : width(w), height(h), samples(s), components(c), data(size_t{w} * h * s * c, fill) {}
 
   [[nodiscard]] size_t index(uint32_t x, uint32_t y, uint32_t sample, uint32_t component = 0) const {

@@ -14,13 +14,12 @@ float unormDepth(uint32_t k, uint32_t bits) {
   return static_cast<float>(static_cast<double>(k) / static_cast<double>((1U << bits) - 1));
 }
 
-std::vector<float> copiedDepths(VkFormat format, const std::byte* from, size_t count) {
-  std::vector<float> depths(count);
+void copyDepths(VkFormat format, const std::byte* from, std::span<float> depths) {
   const uint32_t bits = unormDepthBits(format);
   const size_t bytes = static_cast<size_t>(copiedBytes(format));
   if (bits == 0) {
-    std::memcpy(depths.data(), from, count * bytes);
-    return depths;
+    std::memcpy(depths.data(), from, depths.size() * bytes);
+    return;
   }
   for (float& depth : depths) {
     uint32_t k = 0;  // [vk:VkBufferImageCopy] 24 bits lie in the low bits of a word whose high bits are undefined
@@ -28,7 +27,6 @@ std::vector<float> copiedDepths(VkFormat format, const std::byte* from, size_t c
     depth = unormDepth(k & ((1U << bits) - 1), bits);
     from += bytes;
   }
-  return depths;
 }
 
 float fetchedDepth(DepthFetch fetch, uint32_t k, uint32_t bits) {
@@ -36,7 +34,7 @@ float fetchedDepth(DepthFetch fetch, uint32_t k, uint32_t bits) {
   return static_cast<float>(k) * static_cast<float>(1.0 / ((1U << bits) - 1));
 }
 
-void restoreFetchedDepths(VkFormat format, DepthFetch fetch, std::vector<float>& depths) {
+void restoreFetchedDepths(VkFormat format, DepthFetch fetch, std::span<float> depths) {
   const uint32_t bits = unormDepthBits(format);
   if (bits == 0) return;
   const int64_t largest = (int64_t{1} << bits) - 1;

@@ -5,15 +5,15 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <span>
 
 namespace rasterdiff::vkref {
 
 /// k / (2^bits - 1), rounded to the nearest float. [vk:fundamentals-fixedconv]
 [[nodiscard]] float unormDepth(uint32_t k, uint32_t bits);
 
-/// Texels that were copied to a buffer: `count` of copiedBytes(format) each.
-[[nodiscard]] std::vector<float> copiedDepths(VkFormat format, const std::byte* from, size_t count);
+/// Texels that were copied to a buffer, depths.size() of copiedBytes(format) each.
+void copyDepths(VkFormat format, const std::byte* from, std::span<float> depths);
 
 /// The arithmetic of a fetch.
 enum class DepthFetch : uint8_t {
@@ -26,6 +26,6 @@ enum class DepthFetch : uint8_t {
 
 /// Floats that a shader fetched: behind each of a format of integers, the integer is found again and converted anew. Where
 /// two integers give the same float, the larger one is meant.
-void restoreFetchedDepths(VkFormat format, DepthFetch fetch, std::vector<float>& depths);
+void restoreFetchedDepths(VkFormat format, DepthFetch fetch, std::span<float> depths);
 
 }  // namespace rasterdiff::vkref

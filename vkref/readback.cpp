@@ -64,7 +64,8 @@ Plane<float> depthPlane(const RenderPlan& plan, uint32_t samples, const std::byt
     return plane;
   }
   Plane<float> plane = emptyPlane<float>(plan, 1, 1);
-  plane.data = copiedDepths(plan.depth, from, size_t{plan.width} * plan.height);
+  plane.data.resize(size_t{plan.width} * plan.height);
+  copyDepths(plan.depth, from, plane.data);
   return plane;
 }
 

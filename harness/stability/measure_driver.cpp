@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "harness/compare/compare.hpp"
 #include "harness/stability/measure.hpp"
@@ -10,7 +11,7 @@ namespace {
 
 uint64_t notFinite(const Frame& frame) {
   uint64_t count = 0;
-  const auto add = [&count](const std::vector<float>& values) {
+  const auto add = [&count](std::span<const float> values) {
     count += static_cast<uint64_t>(std::ranges::count_if(values, [](float v) { return !std::isfinite(v); }));
   };
   if (frame.depth) add(frame.depth->data);

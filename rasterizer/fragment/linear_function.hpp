@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "scene/frame.hpp"
@@ -33,15 +35,16 @@ struct Interpolated {
   Bounds bounds;
 };
 
-[[nodiscard]] inline float roundedDown(double value) {
-  const float rounded = static_cast<float>(value);
-  return rounded > value ? std::nextafter(rounded, -std::numeric_limits<float>::infinity()) : rounded;
+/// Without branches, which nobody could predict: floats in the order of integers, the next one if rounding went down.
+/// A NaN stays one.
+[[nodiscard]] inline float roundedUp(double value) {
+  const auto rounded = static_cast<float>(value);
+  const auto bits = std::bit_cast<int32_t>(rounded);
+  const int32_t ordered = (bits ^ ((bits >> 31) & 0x7FFFFFFF)) + (rounded < value ? 1 : 0);
+  return std::bit_cast<float>(ordered ^ ((ordered >> 31) & 0x7FFFFFFF));
 }
 
-[[nodiscard]] inline float roundedUp(double value) {
-  const float rounded = static_cast<float>(value);
-  return rounded < value ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
-}
+[[nodiscard]] inline float roundedDown(double value) { return -roundedUp(-value); }
 
 /// The nearest float32 number with bounds rounded outward; without bounds where they are not numbers.
 [[nodiscard]] inline Interpolated toFloat(const Interval& interval) {

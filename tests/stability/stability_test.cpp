@@ -23,7 +23,7 @@ TEST_P(HardFamily, IsFiniteAndExactInTheReference) {
     const Scene scene = family.make(dial);
     const Result<Frame> frame = rasterizer::render(scene, rules);
     ASSERT_TRUE(frame) << family.name << " at " << dial << ": " << frame.error().what;
-    const std::vector<float>& values = frame->varyings[0].values.data;
+    const auto& values = frame->varyings[0].values.data;
     EXPECT_TRUE(std::ranges::all_of(values, [](float v) { return std::isfinite(v); })) << family.name << " at " << dial;
   }
   for (const Series& series : measureMethods(family)) {
