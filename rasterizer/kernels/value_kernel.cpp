@@ -32,7 +32,7 @@ void SetUpBatch(const ValueTriangles& triangles, size_t first, size_t size, cons
 }
 
 template <class P>
-void DrawAll(const ValueTriangles& triangles, const ValueView& view) {
+DrawnArea DrawAll(const ValueTriangles& triangles, const ValueView& view) {
   ValueBatch b;
   Chunks chunks;
   for (size_t first = 0; first < triangles.positions.size(); first += ValueBatch::kSize) {
@@ -53,9 +53,10 @@ void DrawAll(const ValueTriangles& triangles, const ValueView& view) {
     }
     DrawChunks<P>(view, b, chunks, number);
   }
+  return AreaOf(b);
 }
 
-void DrawPlanes(const ValueTriangles& triangles, const ValueView& view) {
+DrawnArea DrawPlanes(const ValueTriangles& triangles, const ValueView& view) {
   const unsigned which = (view.primitive != nullptr ? 1 : 0) | (view.count != nullptr ? 2 : 0) | (view.depth != nullptr ? 4 : 0);
   switch (which) {
     case 1: return DrawAll<Planes<true, false, false>>(triangles, view);
@@ -65,7 +66,7 @@ void DrawPlanes(const ValueTriangles& triangles, const ValueView& view) {
     case 5: return DrawAll<Planes<true, false, true>>(triangles, view);
     case 6: return DrawAll<Planes<false, true, true>>(triangles, view);
     case 7: return DrawAll<Planes<true, true, true>>(triangles, view);
-    default: return;
+    default: return {};
   }
 }
 
@@ -108,8 +109,8 @@ void drawValues(const ValueTriangles& triangles, ValueTarget& target, unsigned t
   const auto drawBand = [&](uint32_t firstRow, uint32_t endRow) {
     ValueView view = valueView(target, firstRow, endRow);
     view.farthest = farthest.data(), view.blockColumns = blockColumns;
-    HWY_DYNAMIC_DISPATCH(DrawPlanes)(triangles, view);
-    if (!target.varyings.empty()) shadeRows(triangles, target, firstRow, endRow);
+    const DrawnArea area = HWY_DYNAMIC_DISPATCH(DrawPlanes)(triangles, view);
+    if (!target.varyings.empty()) shadeArea(triangles, target, area);
   };
   if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
   threads = std::min(threads, std::max(1u, target.height() / kLeastRows));

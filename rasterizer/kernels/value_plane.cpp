@@ -1,4 +1,4 @@
-// Planes one at a time: for triangles beyond the fast range, and for the bounds.
+// Triangles one at a time: beyond the fast range, and for the bounds.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -72,21 +72,25 @@ double linearValueBound(const SnappedTriangle& triangle, SubpixelPosition p, con
   return 0x1p-49 * (std::fabs(values[0]) + alongX + alongY);
 }
 
-double perspectiveValueBound(const SnappedTriangle& triangle, SubpixelPosition p, const std::array<float, 3>& values,
-                             const std::array<float, 3>& reciprocalW) {
-  std::array<double, 3> numerators{}, denominators{};
+std::array<double, 3> edgeFunctions(const SnappedTriangle& triangle, SubpixelPosition p) {
+  std::array<double, 3> b{};
   for (size_t i = 0; i < 3; ++i) {
-    denominators[i] = reciprocalW[i];
-    numerators[i] = denominators[i] * double{values[i]};
+    const SubpixelPosition v = triangle.v[(i + 1) % 3], w = triangle.v[(i + 2) % 3];
+    b[i] = static_cast<double>((Wide{v.x} - p.x) * (Wide{w.y} - p.y) - (Wide{w.x} - p.x) * (Wide{v.y} - p.y));
   }
-  const auto at = [&](const std::array<double, 3>& vertices) {
-    const LinearPlane f = linearPlane(triangle, vertices);
-    return f.a0 + f.gx * (pixels(p.x) - f.x0) + f.gy * (pixels(p.y) - f.y0);
-  };
-  const double d = std::fabs(at(denominators)), value = std::fabs(at(numerators)) / d;
-  const double boundN = linearValueBound(triangle, p, numerators), boundD = linearValueBound(triangle, p, denominators);
-  if (!(d > 2 * boundD)) return kInfinity;
-  return (boundN + value * boundD) / (d - 2 * boundD) + 0x1p-51 * value;
+  return b;
+}
+
+double varyingBound(const SnappedTriangle& triangle, SubpixelPosition p, const std::array<float, 3>& values,
+                    const std::array<float, 3>& reciprocalW) {
+  const std::array<double, 3> b = edgeFunctions(triangle, p);
+  double sum = 0, magnitudes = 0, terms = 0;
+  for (size_t i = 0; i < 3; ++i) {
+    const double weight = b[i] * reciprocalW[i];
+    sum += weight, magnitudes += std::fabs(weight), terms += std::fabs(weight * values[i]);
+  }
+  const double cancelled = magnitudes / std::fabs(sum);
+  return cancelled < 0x1p40 ? 0x1p-53 * (7 + 5 * cancelled) * (terms / std::fabs(sum)) * (1 + 0x1p-8) : kInfinity;
 }
 
 }  // namespace rasterdiff::rasterizer

@@ -1,7 +1,7 @@
-// From triangles to lines and planes: a vector of triangles at a time, for the instruction set being compiled. Lines, their
+// From triangles to lines and depth planes: a vector of triangles at a time, for the instruction set being compiled. Lines, their
 // exactness and its proof are those of span_setup-inl.h, with rows and pixels counted from the target's corner.
 //
-// The planes. A value that is linear on the screen is a0 + gx (x - x0) + gy (y - y0), anchored at vertex 0, with
+// The planes. A depth, linear on the screen, is a0 + gx (x - x0) + gy (y - y0), anchored at vertex 0, with
 //   gx = (d1 e2y - d2 e1y) / det, gy = (d2 e1x - d1 e2x) / det, d = differences of values, e = differences of positions.
 // Within the fast range (|coordinates| <= 2^22) the e (< 2^24) and det = e1x e2y - e1y e2x (< 2^49) are exact in doubles, and
 // so are all distances from the anchor, multiples of 1/256 pixel. With u = 2^-53, Gx = (|d1 e2y| + |d2 e1y|) / |det| per
@@ -12,14 +12,14 @@
 //   M = |a0| + Gx (|x - x0| + 14) + Gy |y - y0|,   so |error| <= 6u M + 3u M < 2^-49 M: linearValueBound.
 // The float32 is that double rounded once: half a unit in the last place more. No operation is fused, so that every
 // instruction set rounds alike; a pixel's value depends on nothing but its triangle.
-// A perspective value is N / D of the planes of aᵢ rᵢ (products of two float32: exact) and rᵢ, as N · (1 / D): two roundings,
-//   |error| <= (E(N) + |v| E(D)) / (D - E(D)) + 2u |v|.
 #if defined(RASTERDIFF_VALUE_SETUP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERDIFF_VALUE_SETUP_INL_H
 #undef RASTERDIFF_VALUE_SETUP_INL_H
 #else
 #define RASTERDIFF_VALUE_SETUP_INL_H
 #endif
+
+#include <algorithm>
 
 #include "hwy/highway.h"
 #include "rasterizer/kernels/span_setup-inl.h"
@@ -43,12 +43,22 @@ struct ValueBatch {
   uint64_t places[kSize + 8];  // of what is to be drawn, in order
   alignas(64) uint64_t far[kSize];   // ~0: beyond the fast range
   alignas(64) uint64_t wide[kSize];  // ~0: some row is kWidePixels or longer
+  // What all that was set up so far may draw, a vector of boxes.
+  alignas(64) double left[kLanes], top[kLanes], right[kLanes], bottom[kLanes];
+  alignas(64) uint64_t anyFar[kLanes];
+
+  ValueBatch() {
+    std::fill_n(left, kLanes, kFastRange), std::fill_n(top, kLanes, kFastRange);
+    std::fill_n(right, kLanes, 0.0), std::fill_n(bottom, kLanes, 0.0);
+    std::fill_n(anyFar, kLanes, uint64_t{0});
+  }
 };
 
-HWY_INLINE V LoadThree(const float* HWY_RESTRICT values, size_t vertex) {
-  alignas(64) double v[kLanes];
-  for (size_t lane = 0; lane < kLanes; ++lane) v[lane] = values[3 * lane + vertex];
-  return hn::Load(D(), v);
+HWY_INLINE DrawnArea AreaOf(const ValueBatch& b) {
+  const auto pixel = [](double v) { return static_cast<uint32_t>(v); };
+  return {pixel(*std::min_element(b.left, b.left + kLanes)), pixel(*std::min_element(b.top, b.top + kLanes)),
+          pixel(*std::max_element(b.right, b.right + kLanes)), pixel(*std::max_element(b.bottom, b.bottom + kLanes)),
+          std::any_of(b.anyFar, b.anyFar + kLanes, [](uint64_t far) { return far != 0; })};
 }
 
 /// Sets up the kLanes triangles from `t` as places `base` and following; `depth` (three a triangle) only if kDepth.
@@ -97,7 +107,10 @@ HWY_INLINE void SetUpValues(const SnappedTriangle* HWY_RESTRICT t, const float* 
     const V e1x = given.x[1] - given.x[0], e1y = given.y[1] - given.y[0];
     const V e2x = given.x[2] - given.x[0], e2y = given.y[2] - given.y[0];
     const V q = hn::Set(d, 256.0) / (e1x * e2y - e1y * e2x);
-    const V a0 = LoadThree(depth, 0), d1 = LoadThree(depth, 1) - a0, d2 = LoadThree(depth, 2) - a0;
+    const hn::Rebind<float, D> df;
+    hn::Vec<decltype(df)> z[3];
+    hn::LoadInterleaved3(df, depth, z[0], z[1], z[2]);
+    const V a0 = hn::PromoteTo(d, z[0]), d1 = hn::PromoteTo(d, z[1]) - a0, d2 = hn::PromoteTo(d, z[2]) - a0;
     hn::Store(a0, d, b.a0 + base);
     hn::Store((d1 * e2y - d2 * e1y) * q, d, b.gx + base);
     hn::Store((d2 * e1x - d1 * e2x) * q, d, b.gy + base);
@@ -121,6 +134,10 @@ HWY_INLINE void SetUpValues(const SnappedTriangle* HWY_RESTRICT t, const float* 
   hn::Store(hn::BitCast(DU(), hn::VecFromMask(d, wide)), DU(), b.wide + base);
   const M drawn = hn::And(inBox, hn::Or(hn::Not(near), hn::Ne(area, zero)));
   Append(hn::Iota(DU(), 0) + hn::Set(DU(), base), drawn, b.places, b.size);
+  const auto put = [&](double* to, V v) { hn::Store(hn::IfThenElse(drawn, v, hn::Load(d, to)), d, to); };
+  put(b.left, hn::Min(firstColumn, hn::Load(d, b.left))), put(b.right, hn::Max(endColumn, hn::Load(d, b.right)));
+  put(b.top, hn::Min(firstRow, hn::Load(d, b.top))), put(b.bottom, hn::Max(endRow, hn::Load(d, b.bottom)));
+  hn::Store(hn::Or(hn::Load(DU(), b.anyFar), hn::BitCast(DU(), hn::VecFromMask(d, hn::AndNot(near, drawn)))), DU(), b.anyFar);
 }
 
 }  // namespace HWY_NAMESPACE

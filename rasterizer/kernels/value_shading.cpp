@@ -1,5 +1,5 @@
-// Deferred varyings: runs of pixels of one primitive; the planes of all components side by side in a vector, then the
-// pixels of the run. Bound and arithmetic: value_setup-inl.h, the chunk being the whole way from the anchor.
+// Deferred varyings: a vector of neighbouring samples at a time, each from its own primitive, without any set-up of triangles.
+// Where the weights come from and how exact values are: value_weights-inl.h.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rasterizer/kernels/value_shading.cpp"
 #define HWY_DISABLED_TARGETS HWY_SSSE3
@@ -7,149 +7,243 @@
 // After foreach_target.h:
 #include <algorithm>
 #include <cstdint>
-#include <vector>
+#include <utility>
 
 #include "hwy/highway.h"
 #include "rasterizer/kernels/value_shading.hpp"
+#include "rasterizer/kernels/value_weights-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rasterdiff::rasterizer {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
 
-using ShadeD = hn::CappedTag<double, 8>;
-using ShadeF = hn::Rebind<float, ShadeD>;
-using ShadeU = hn::Rebind<uint32_t, ShadeD>;
-using ShadeV = hn::Vec<ShadeD>;
-inline constexpr size_t kShadeLanes = hn::MaxLanes(ShadeD());
-inline constexpr size_t kMostPlanes = kMaxValueComponents + kShadeLanes;  // the components', that of 1 / w, a vector's rest
+inline constexpr size_t kGroup = 4;     // components side by side
+inline constexpr uint32_t kTileColumns = 64;  // pixels, of a tile
 
-/// The components' kinds as factors.
+/// The components' kinds, and what follows from them.
 struct Components {
-  size_t count = 0, planes = 0;  // components; whole vectors of them and of 1 / w
-  bool perspective[kMaxValueComponents] = {};
-  bool anyPerspective = false;
-  alignas(64) double sloped[kMostPlanes] = {};    // 0 for flat: no gradient
-  alignas(64) double weighted[kMostPlanes] = {};  // 1 for perspective: the value times 1 / w
-  alignas(64) double ones[kMostPlanes] = {};      // 1 for the plane of 1 / w, whose value is 1
+  size_t count = 0;
+  const ValueKind* kinds = nullptr;
+  bool noperspective = false, perspective = false;        // some component is
+  bool all[kMaxValueComponents / kGroup] = {};            // a group's components all have perspective
+  alignas(32) double perspectives[kMaxValueComponents] = {}, flats[kMaxValueComponents] = {};  // 1 for those
 };
 
 Components ComponentsOf(const ValueTriangles& triangles) {
   Components c;
-  c.count = triangles.kinds.size();
-  c.planes = (c.count + kShadeLanes) / kShadeLanes * kShadeLanes;
+  c.count = triangles.kinds.size(), c.kinds = triangles.kinds.data();
+  std::fill(std::begin(c.all), std::end(c.all), true);
   for (size_t i = 0; i < c.count; ++i) {
-    c.perspective[i] = triangles.kinds[i] == ValueKind::Perspective;
-    c.anyPerspective |= c.perspective[i];
-    c.sloped[i] = triangles.kinds[i] == ValueKind::Flat ? 0 : 1;
-    c.weighted[i] = c.perspective[i] ? 1 : 0;
+    c.noperspective |= c.kinds[i] == ValueKind::Noperspective;
+    c.perspective |= c.kinds[i] == ValueKind::Perspective;
+    c.all[i / kGroup] &= c.kinds[i] == ValueKind::Perspective;
+    c.perspectives[i] = c.kinds[i] == ValueKind::Perspective ? 1 : 0;
+    c.flats[i] = c.kinds[i] == ValueKind::Flat ? 1 : 0;
   }
-  c.sloped[c.count] = c.weighted[c.count] = c.ones[c.count] = 1;
   return c;
 }
 
-/// Planes of one triangle, component beside component: value = (a0 + gy (y - y0)) + gx (x - x0).
-struct TrianglePlanes {
-  uint32_t number = 0;  // 1 + the triangle's place
-  double x0 = 0, y0 = 0;  // of vertex 0, pixels
-  alignas(64) double a0[kMostPlanes], gx[kMostPlanes], gy[kMostPlanes];
+/// Weights by kind; those that no component needs are zero.
+struct Weights {
+  PerVertex noperspective, perspective;
 };
 
-/// A triangle's rows meet again and again: their planes wait here.
-struct PlaneCache {
-  static constexpr size_t kSize = 1024;
-  std::vector<TrianglePlanes> planes = std::vector<TrianglePlanes>(kSize);
-  TrianglePlanes& of(uint32_t number) { return planes[number % kSize]; }
+/// Where components go: their planes, from the vector's first pixel on; zero where nothing is drawn.
+struct Outputs {
+  float* const* to;
+  size_t element;
+  hn::Mask<ShadeF> drawn;
+
+  HWY_INLINE void Put(size_t component, hn::Vec<ShadeF> value) const {
+    hn::StoreU(hn::IfThenElseZero(drawn, value), ShadeF(), to[component] + element);
+  }
 };
 
-HWY_NOINLINE void SetUpPlanes(const ValueTriangles& triangles, uint32_t number, const Components& components, TrianglePlanes& planes) {
+/// All pixels have triangle `t`.
+HWY_INLINE void ShadeOne(const ValueTriangles& triangles, size_t t, const Components& components, const Weights& weights, const Outputs& out) {
   const ShadeD d;
-  const ShadeF df;
-  const size_t t = number - 1, n = components.count;
-  const auto& v = triangles.positions[t].v;
-  const double ax = v[0].x, ay = v[0].y;
-  const double e1x = v[1].x - ax, e1y = v[1].y - ay, e2x = v[2].x - ax, e2y = v[2].y - ay;
-  const ShadeV q = hn::Set(d, kSubpixelOne / (e1x * e2y - e1y * e2x));
-  planes.number = number;
-  planes.x0 = ax / kSubpixelOne, planes.y0 = ay / kSubpixelOne;
-  const float* values = triangles.values.data() + 3 * n * t;
-  float copy[3 * kMaxValueComponents + kMostPlanes] = {};
-  if (HWY_UNLIKELY(3 * n * t + 2 * n + components.planes > triangles.values.size())) {  // vectors would reach beyond the end
-    std::copy_n(values, 3 * n, copy);
-    values = copy;
-  }
-  for (size_t c = 0; c < components.planes; c += kShadeLanes) {
-    const ShadeV weighted = hn::Load(d, components.weighted + c), sloped = hn::Load(d, components.sloped + c);
-    const ShadeV ones = hn::Load(d, components.ones + c);
-    const auto isOne = hn::Ne(ones, hn::Zero(d));
-    ShadeV a[3];
-    for (size_t k = 0; k < 3; ++k) {
-      const ShadeV value = hn::IfThenElse(isOne, ones, hn::PromoteTo(d, hn::LoadU(df, values + k * n + c)));
-      // 1, or 1 / w: sums of a number and zero.
-      const double w = components.anyPerspective ? double{triangles.reciprocalW[3 * t + k]} : 1.0;
-      a[k] = value * (weighted * hn::Set(d, w) + (hn::Set(d, 1.0) - weighted));
-    }
-    const ShadeV d1 = (a[1] - a[0]) * sloped, d2 = (a[2] - a[0]) * sloped;
-    hn::Store(a[0], d, planes.a0 + c);
-    hn::Store((d1 * hn::Set(d, e2y) - d2 * hn::Set(d, e1y)) * q, d, planes.gx + c);
-    hn::Store((d2 * hn::Set(d, e1x) - d1 * hn::Set(d, e2x)) * q, d, planes.gy + c);
-  }
-}
-
-/// Pixels [x, end) of row y, which starts at element `row` of the planes.
-HWY_INLINE void ShadeRun(const TrianglePlanes& planes, const Components& components, float* const* HWY_RESTRICT to, double y, size_t row,
-                         size_t x, size_t end) {
-  const ShadeD d;
-  const ShadeF df;
-  alignas(64) double start[kMostPlanes];
-  const ShadeV dy = hn::Set(d, y + 0.5 - planes.y0);
-  for (size_t c = 0; c < components.planes; c += kShadeLanes)
-    hn::Store(hn::Load(d, planes.a0 + c) + hn::Load(d, planes.gy + c) * dy, d, start + c);
-  const double fromX = 0.5 - planes.x0;
   const size_t n = components.count;
-  for (; x < end; x += kShadeLanes) {
-    const auto mask = hn::FirstN(df, end - x);
-    const ShadeV dx = hn::Set(d, static_cast<double>(x) + fromX) + hn::Iota(d, 0);
-    ShadeV w = hn::Set(d, 1.0);
-    if (components.anyPerspective) w = w / (hn::Set(d, start[n]) + hn::Set(d, planes.gx[n]) * dx);
-    for (size_t c = 0; c < n; ++c) {
-      ShadeV value = hn::Set(d, start[c]) + hn::Set(d, planes.gx[c]) * dx;
-      if (components.perspective[c]) value = value * w;
-      hn::BlendedStore(hn::DemoteTo(df, value), mask, df, to[c] + row + x);
+  const float* HWY_RESTRICT v = triangles.values.data() + 3 * n * t;
+  for (size_t c = 0; c < n; ++c) {
+    if (components.kinds[c] == ValueKind::Flat) {
+      out.Put(c, hn::Set(ShadeF(), v[c]));
+      continue;
+    }
+    const PerVertex& w = components.kinds[c] == ValueKind::Perspective ? weights.perspective : weights.noperspective;
+    const auto value = [&](size_t vertex) { return hn::Set(d, double{v[vertex * n + c]}); };
+    out.Put(c, hn::DemoteTo(ShadeF(), w.v[0] * value(0) + w.v[1] * value(1) + w.v[2] * value(2)));
+  }
+}
+
+/// Weights as memory, for one pixel at a time.
+struct alignas(64) WeightLanes {
+  double noperspective[3][kShadeLanes], perspective[3][kShadeLanes];
+};
+
+#if HWY_TARGET <= HWY_AVX2
+using GroupD = hn::CappedTag<double, kGroup>;
+using GroupF = hn::CappedTag<float, kGroup>;
+using GroupV = hn::Vec<GroupF>;
+
+/// Four components of one pixel. Beyond the last component nothing is read.
+template <bool kAllPerspective, bool kFull>
+HWY_INLINE GroupV ShadeGroup(const float* HWY_RESTRICT v, size_t first, const Components& components, const WeightLanes& weights, size_t lane) {
+  const GroupD d;
+  const GroupF f;
+  const size_t n = components.count;
+  const auto value = [&](size_t vertex) {
+    if (kFull) return hn::PromoteTo(d, hn::LoadU(f, v + vertex * n));
+    return hn::PromoteTo(d, hn::MaskedLoad(hn::FirstN(f, n - first), f, v + vertex * n));
+  };
+  const auto is = [&](const double* kind) { return hn::Gt(hn::Load(d, kind + first), hn::Zero(d)); };
+  const auto weight = [&](size_t i) {
+    const auto perspective = hn::Set(d, weights.perspective[i][lane]);
+    return kAllPerspective ? perspective : hn::IfThenElse(is(components.perspectives), perspective, hn::Set(d, weights.noperspective[i][lane]));
+  };
+  const auto v0 = value(0), sum = weight(0) * v0 + weight(1) * value(1) + weight(2) * value(2);
+  return hn::DemoteTo(f, kAllPerspective ? sum : hn::IfThenElse(is(components.flats), v0, sum));
+}
+
+/// From pixels of four components to components of a vector of pixels.
+HWY_INLINE void PutGroup(const GroupV* pixels, size_t first, size_t count, const Outputs& out) {
+  const ShadeF f;
+  const hn::Repartition<double, ShadeF> pairs;
+  const auto row = [&](size_t k) {
+#if HWY_TARGET <= HWY_AVX3
+    return hn::Combine(f, pixels[k + kGroup], pixels[k]);
+#else
+    return pixels[k];
+#endif
+  };
+  const auto two = [&](auto v) { return hn::BitCast(pairs, v); };
+  const auto row0 = row(0), row1 = row(1), row2 = row(2), row3 = row(3);
+  const auto low01 = two(hn::InterleaveLower(f, row0, row1)), low23 = two(hn::InterleaveLower(f, row2, row3));
+  const auto high01 = two(hn::InterleaveUpper(f, row0, row1)), high23 = two(hn::InterleaveUpper(f, row2, row3));
+  out.Put(first, hn::BitCast(f, hn::InterleaveLower(pairs, low01, low23)));
+  if (count > 1) out.Put(first + 1, hn::BitCast(f, hn::InterleaveUpper(pairs, low01, low23)));
+  if (count > 2) out.Put(first + 2, hn::BitCast(f, hn::InterleaveLower(pairs, high01, high23)));
+  if (count > 3) out.Put(first + 3, hn::BitCast(f, hn::InterleaveUpper(pairs, high01, high23)));
+}
+
+template <bool kAllPerspective, bool kFull, size_t... kLane>
+HWY_INLINE void ShadeLanes(const float* HWY_RESTRICT values, const Places& places, size_t first, const Components& components,
+                           const WeightLanes& weights, const Outputs& out, std::index_sequence<kLane...>) {
+  const size_t each = 3 * components.count;
+  const GroupV pixels[] = {ShadeGroup<kAllPerspective, kFull>(values + each * places.of[kLane] + first, first, components, weights, kLane)...};
+  PutGroup(pixels, first, kFull ? kGroup : components.count - first, out);
+}
+
+/// A function of its own: a compiler that sees the loop over groups keeps all weights in registers, of which there are too few.
+template <bool kAllPerspective, bool kFull>
+HWY_NOINLINE void ShadeGroups(const float* HWY_RESTRICT values, const Places& places, size_t first, const Components& components,
+                              const WeightLanes& weights, const Outputs& out) {
+  ShadeLanes<kAllPerspective, kFull>(values, places, first, components, weights, out, std::make_index_sequence<kShadeLanes>());
+}
+
+/// Each pixel has its own triangle.
+HWY_INLINE void ShadeMany(const ValueTriangles& triangles, const Places& places, const Components& components,
+                          const WeightLanes& weights, const Outputs& out) {
+  const float* HWY_RESTRICT values = triangles.values.data();
+  for (size_t first = 0; first < components.count; first += kGroup) {
+    if (components.count - first < kGroup) {
+      ShadeGroups<false, false>(values, places, first, components, weights, out);
+    } else if (components.all[first / kGroup]) {
+      ShadeGroups<true, true>(values, places, first, components, weights, out);
+    } else {
+      ShadeGroups<false, true>(values, places, first, components, weights, out);
     }
   }
 }
-
-/// First pixel in [x, width) whose number is not `number`; the row has kValuePadding more.
-HWY_INLINE size_t EndOfRun(const uint32_t* HWY_RESTRICT numbers, size_t x, size_t width, uint32_t number) {
-  const ShadeU du;
-  for (; x < width; x += kShadeLanes) {
-    const intptr_t other = hn::FindFirstTrue(du, hn::Ne(hn::LoadU(du, numbers + x), hn::Set(du, number)));
-    if (other >= 0) return std::min(width, x + static_cast<size_t>(other));
+#else
+HWY_INLINE void ShadeMany(const ValueTriangles& triangles, const Places& places, const Components& components,
+                          const WeightLanes& weights, const Outputs& out) {
+  const ShadeF f;
+  const size_t n = components.count;
+  for (size_t c = 0; c < n; ++c) {
+    const auto& w = components.kinds[c] == ValueKind::Perspective ? weights.perspective : weights.noperspective;
+    alignas(32) float pixels[kShadeLanes];
+    for (size_t lane = 0; lane < kShadeLanes; ++lane) {
+      const float* v = triangles.values.data() + 3 * n * places.of[lane] + c;
+      const double sum = w[0][lane] * double{v[0]} + w[1][lane] * double{v[n]} + w[2][lane] * double{v[2 * n]};
+      pixels[lane] = components.kinds[c] == ValueKind::Flat ? v[0] : static_cast<float>(sum);
+    }
+    out.Put(c, hn::Load(f, pixels));
   }
-  return width;
+}
+#endif
+
+/// The pixels of a vector, from (x, y) on, which is element `element` of the planes.
+HWY_INLINE void ShadeVector(const ValueTriangles& triangles, const uint32_t* HWY_RESTRICT numbers, const Components& components, bool far,
+                            uint32_t x, uint32_t y, float* const* to, size_t element) {
+  const ShadeD d;
+  const ShadeU u;
+  const auto number = hn::LoadU(u, numbers);
+  const auto drawn = hn::Ne(number, hn::Zero(u));
+  if (hn::AllFalse(u, drawn)) return;
+  const Outputs out{to, element, hn::RebindMask(ShadeF(), drawn)};
+  const SubpixelPosition centre{static_cast<int32_t>(x) * kSubpixelOne + kSubpixelOne / 2, static_cast<int32_t>(y) * kSubpixelOne + kSubpixelOne / 2};
+  const ShadeV px = hn::MulAdd(hn::Iota(d, 0), hn::Set(d, kSubpixelOne), hn::Set(d, centre.x)), py = hn::Set(d, centre.y);
+  const bool one = hn::AllTrue(u, hn::Eq(number, hn::Set(u, numbers[0])));
+  Places places;
+  hn::Store(hn::Max(number, hn::Set(u, 1)) - hn::Set(u, 1), u, places.of);  // nobody's pixels take any triangle
+  const Corners3 corners = one ? CornersOfOne(triangles, places.of[0], components.perspective, px, py)
+                               : CornersOfMany(triangles, places, components.perspective, px, py);
+  const PerVertex b = HWY_UNLIKELY(far) ? FarEdgeFunctions(triangles, places, centre) : EdgeFunctions(corners);
+  const ShadeV zero = hn::Zero(d);
+  Weights weights{{{zero, zero, zero}}, {{zero, zero, zero}}};
+  if (components.noperspective) weights.noperspective = WeightsOf(b.v[0], b.v[1], b.v[2]);
+  if (components.perspective) weights.perspective = WeightsOf(b.v[0] * corners.r.v[0], b.v[1] * corners.r.v[1], b.v[2] * corners.r.v[2]);
+  if (one) return ShadeOne(triangles, places.of[0], components, weights, out);
+  WeightLanes lanes;
+  for (size_t i = 0; i < 3; ++i) {
+    hn::Store(weights.noperspective.v[i], d, lanes.noperspective[i]);
+    hn::Store(weights.perspective.v[i], d, lanes.perspective[i]);
+  }
+  ShadeMany(triangles, places, components, lanes, out);
 }
 
-void Shade(const ValueTriangles& triangles, ValueTarget& target, ShadedArea area) {
+/// Fetches what a row will want of triangles that the row above has not.
+HWY_INLINE void PrefetchRow(const ValueTriangles& triangles, const uint32_t* HWY_RESTRICT numbers, const uint32_t* HWY_RESTRICT above, size_t pixels) {
+  const hn::CappedTag<uint32_t, 8> u;
+  uint32_t found[kTileColumns + 8];
+  size_t size = 0;
+  for (size_t x = 0; x < pixels; x += hn::MaxLanes(u)) {
+    const auto number = hn::LoadU(u, numbers + x);
+    const auto other = hn::Ne(number, hn::LoadU(u, above + x));
+    hn::StoreU(hn::Compress(number, other), u, found + size);
+    size += hn::CountTrue(u, other);
+  }
+  const size_t values = 3 * triangles.kinds.size();
+  for (size_t k = 0; k < size; ++k) {
+    const size_t t = std::max(found[k], 1u) - size_t{1};
+    __builtin_prefetch(&triangles.positions[t]);
+    __builtin_prefetch(triangles.values.data() + values * t);
+    __builtin_prefetch(triangles.values.data() + values * (t + 1) - 1);
+    __builtin_prefetch(triangles.reciprocalW.data() + 3 * t);
+  }
+}
+
+/// Tile by tile, for the sake of caches: a tile's rows have much the same triangles.
+void Shade(const ValueTriangles& triangles, ValueTarget& target, const DrawnArea& area) {
+  constexpr uint32_t kTileRows = 32, kAhead = 2;
   const Components components = ComponentsOf(triangles);
-  PlaneCache cache;
   float* to[kMaxValueComponents] = {};
   for (size_t c = 0; c < components.count; ++c) to[c] = target.varyings[c].data();
-  for (uint32_t y = area.top; y < area.bottom; ++y)
-    for (uint32_t s = 0; s < target.samples(); ++s) {
-      const size_t row = target.index(0, y, s);
-      const uint32_t* HWY_RESTRICT numbers = target.primitive.data() + row;
-      for (size_t x = area.left; x < area.right;) {
-        const uint32_t number = numbers[x];
-        const size_t end = EndOfRun(numbers, x + 1, area.right, number);
-        if (number != 0) {
-          TrianglePlanes& planes = cache.of(number);
-          if (planes.number != number) SetUpPlanes(triangles, number, components, planes);
-          ShadeRun(planes, components, to, y, row, x, end);
+  const uint32_t* HWY_RESTRICT numbers = target.primitive.data();
+  const auto tile = [&](uint32_t left, uint32_t right, uint32_t top, uint32_t bottom) {
+    for (uint32_t y = top; y < bottom; ++y)
+      for (uint32_t s = 0; s < target.samples(); ++s) {
+        if (y + kAhead < bottom)
+          PrefetchRow(triangles, numbers + target.index(left, y + kAhead, s), numbers + target.index(left, y + kAhead - 1, s), right - left);
+        for (uint32_t x = left; x < right; x += kShadeLanes) {
+          const size_t element = target.index(x, y, s);
+          ShadeVector(triangles, numbers + element, components, area.far, x, y, to, element);
         }
-        x = end;
       }
-    }
+  };
+  for (uint32_t top = area.top; top < area.bottom; top += kTileRows)
+    for (uint32_t left = area.left / kTileColumns * kTileColumns; left < area.right; left += kTileColumns)
+      tile(left, std::min(left + kTileColumns, area.right), top, std::min(top + kTileRows, area.bottom));
 }
 
 }  // namespace HWY_NAMESPACE
@@ -161,28 +255,8 @@ namespace rasterdiff::rasterizer {
 
 HWY_EXPORT(Shade);
 
-namespace {
-
-/// What of the rows the triangles can have drawn.
-ShadedArea shadedArea(const ValueTriangles& triangles, const ValueTarget& target, uint32_t firstRow, uint32_t endRow) {
-  int32_t left = INT32_MAX, right = INT32_MIN, top = INT32_MAX, bottom = INT32_MIN;
-  for (const SnappedTriangle& t : triangles.positions)
-    for (const SubpixelPosition p : t.v) {
-      left = std::min(left, p.x), right = std::max(right, p.x);
-      top = std::min(top, p.y), bottom = std::max(bottom, p.y);
-    }
-  const auto pixel = [](int32_t position, uint32_t low, uint32_t high) {
-    return static_cast<uint32_t>(std::clamp<int64_t>(position >> kSubpixelBits, low, high));
-  };
-  if (left > right) return {};
-  return {pixel(left, 0, target.width()), pixel(top, firstRow, endRow), pixel(right, 0, target.width() - 1) + 1,
-          std::min(endRow, pixel(bottom, firstRow, endRow) + 1)};
-}
-
-}  // namespace
-
-void shadeRows(const ValueTriangles& triangles, ValueTarget& target, uint32_t firstRow, uint32_t endRow) {
-  HWY_DYNAMIC_DISPATCH(Shade)(triangles, target, shadedArea(triangles, target, firstRow, endRow));
+void shadeArea(const ValueTriangles& triangles, ValueTarget& target, const DrawnArea& area) {
+  HWY_DYNAMIC_DISPATCH(Shade)(triangles, target, area);
 }
 
 }  // namespace rasterdiff::rasterizer

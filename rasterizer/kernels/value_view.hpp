@@ -25,6 +25,15 @@ struct ValueView {
 /// Rows [firstRow, endRow) of the target.
 [[nodiscard]] ValueView valueView(ValueTarget& target, uint32_t firstRow, uint32_t endRow);
 
+/// Pixels left <= x < right, top <= y < bottom that triangles may have drawn; far: some of them are beyond the fast range.
+struct DrawnArea {
+  uint32_t left = 0, top = 0, right = 0, bottom = 0;
+  bool far = false;
+};
+
+/// Twice the areas of `p` with the edges opposite to the vertices, exact integers rounded once.
+[[nodiscard]] std::array<double, 3> edgeFunctions(const SnappedTriangle& triangle, SubpixelPosition p);
+
 /// The plane of a linear value in doubles, evaluated as value_setup-inl.h says; distances in pixels.
 struct LinearPlane {
   double a0 = 0, gx = 0, gy = 0, x0 = 0, y0 = 0;

@@ -94,8 +94,8 @@ TEST(ValueKernel, DepthAndVaryingsKeepTheirBoundOnHardTriangles) {
               const float value = drawn.varyings[c][i];
               switch (load.kinds[c]) {
                 case ValueKind::Flat: EXPECT_EQ(value, a[0]); break;
-                case ValueKind::Noperspective: judge(value, exactValue(t, centre, a), linearValueBound(t, centre, vertices(a))); break;
-                case ValueKind::Perspective: judge(value, exactPerspectiveValue(t, centre, a, w), perspectiveValueBound(t, centre, a, w)); break;
+                case ValueKind::Noperspective: judge(value, exactValue(t, centre, a), varyingBound(t, centre, a, {1, 1, 1})); break;
+                case ValueKind::Perspective: judge(value, exactPerspectiveValue(t, centre, a, w), varyingBound(t, centre, a, w)); break;
               }
             }
           }
