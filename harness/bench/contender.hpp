@@ -20,6 +20,7 @@ struct Settings {
   double boxSamples = 2e7;    ///< looked at before a timing, see Truth
   double kernelSeconds = 0.03, frameSeconds = 0.3;  ///< one draw of a kernel, of the reference or driver, about
   double fixedParts = 4;      ///< of the latter: or this many times what a draw of next to nothing costs, if that is more
+  double kernelWhole = 0.5, frameWhole = 1;  ///< seconds; what draws all of a load in this time is timed on all of it
 };
 
 /// Is the method wanted?
@@ -29,6 +30,7 @@ struct Contender {
   std::vector<Row> rows;  ///< filled in but for the timing; several where one draw gives several figures
   double mostSeconds = 0; ///< one draw is to take about this
   double fixedParts = 0;  ///< or this many times what a draw costs anyway (a frame cleared, read back), if that is more
+  double wholeSeconds = 0;  ///< if all of a load takes no longer, nothing less is timed: what is hidden costs less, and grows
   bool whole = false;     ///< draws all of a load or nothing
   /// Seconds of one draw of the first triangles, one figure a row.
   std::function<Result<std::vector<double>>(size_t triangles)> draw;

@@ -54,6 +54,7 @@ Row rowOf(const Variant& variant) {
 Contender contenderOf(const Variant& variant, const Load& load, const ErrorCount& error, const Settings& settings) {
   Contender contender;
   contender.mostSeconds = settings.kernelSeconds;
+  contender.wholeSeconds = settings.kernelWhole;
   Row row = rowOf(variant);
   row.error = error;
   if (row.exact && error.wrong > 0) row.refused = fmt::format("{} wrong samples in an exact method", error.wrong);

@@ -22,6 +22,7 @@ Result<Contender> driverContender(const Load& load, Task task, const Truth& trut
   Contender contender;
   contender.mostSeconds = settings.frameSeconds;
   contender.fixedParts = settings.fixedParts;
+  contender.wholeSeconds = settings.frameWhole;
   contender.whole = load.scene.has_value();
   for (const char* method : {"driver", "driver-whole"}) {
     Row row;
@@ -81,23 +82,44 @@ size_t fewTriangles(const Load& load) {
 }
 
 /// Draws more and more triangles until they take most of the time of a draw: what a draw costs anyway (a frame that is
-/// cleared, read back) must not pass for the cost of triangles.
+/// cleared, read back) must not pass for the cost of triangles. Then goes on where all of them may be affordable.
 Result<void> probe(Runner& runner, const Load& load) {
+  constexpr double kHopeful = 16;  // so much less than earlier triangles may later ones cost, which those hide
   Contender& contender = runner.contender;
   const size_t all = std::max<size_t>(1, load.triangles.size());
-  size_t triangles = contender.whole ? all : std::min(all, fewTriangles(load));
-  double fixed = 0, seconds = 0;
+  struct Draw {
+    size_t triangles = 0;
+    double seconds = 0;
+  };
+  Draw now{contender.whole ? all : std::min(all, fewTriangles(load)), 0}, before, enough;
+  double fixed = 0;
   for (;;) {
-    const Result<std::vector<double>> drawn = contender.draw(triangles);
+    const Result<std::vector<double>> drawn = contender.draw(now.triangles);
     if (!drawn) return tl::unexpected(drawn.error());
-    seconds = std::max(1e-7, drawn->back());
-    if (contender.fixedParts > 0) fixed = fixed == 0 ? seconds : std::min(fixed, seconds);
+    now.seconds = std::max(1e-7, drawn->back());
+    if (contender.fixedParts > 0) fixed = fixed == 0 ? now.seconds : std::min(fixed, now.seconds);
     const double goal = std::max(contender.mostSeconds, contender.fixedParts * fixed);
-    if (triangles == all || seconds - fixed > goal / 2) break;
-    // The first draw tells fixed cost and that of triangles together: where it was long already, little is added.
-    const double more = std::clamp(0.75 * goal / std::max(1e-7, seconds - fixed), 1.5, seconds > contender.mostSeconds / 2 ? 2.0 : 16.0);
-    triangles = std::min(all, static_cast<size_t>(static_cast<double>(triangles) * more) + 1);
+    if (enough.triangles > 0 && now.seconds > contender.wholeSeconds) {
+      now = enough;
+      break;
+    }
+    if (now.triangles == all) break;
+    double more = 4;
+    if (now.seconds - fixed > goal / 2) {
+      const double each = std::max(1e-10, (now.seconds - before.seconds) / static_cast<double>(now.triangles - before.triangles));
+      if (now.seconds + each * static_cast<double>(all - now.triangles) > kHopeful * contender.wholeSeconds) break;
+      if (enough.triangles == 0) enough = now;
+      more = std::clamp(1 + (contender.wholeSeconds - now.seconds) / (each * static_cast<double>(now.triangles)), 1.5, 4.0);
+    } else {
+      // The first draw tells fixed cost and that of triangles together: where it was long already, little is added.
+      more = std::clamp(0.75 * goal / std::max(1e-7, now.seconds - fixed), 1.5, now.seconds > contender.mostSeconds / 2 ? 2.0 : 16.0);
+    }
+    before = now;
+    now.triangles = std::min(all, static_cast<size_t>(static_cast<double>(now.triangles) * more) + 1);
   }
+  if (enough.triangles > 0 && now.triangles != all) now = enough;
+  const size_t triangles = now.triangles;
+  const double seconds = now.seconds;
   const double covered = coveredSamples(load, triangles);
   for (Row& row : contender.rows) row.triangles = std::min(triangles, load.triangles.size()), row.samples = covered;
   runner.draws = static_cast<uint32_t>(std::clamp(contender.mostSeconds / 2 / seconds, 1.0, 1000.0));

@@ -34,6 +34,7 @@ Result<Contender> renderContender(const Load& load, Task task, const Truth& trut
   Contender contender;
   contender.mostSeconds = settings.frameSeconds;
   contender.fixedParts = settings.fixedParts;
+  contender.wholeSeconds = settings.frameWhole;
   contender.whole = load.scene.has_value();
   Row row;
   row.task = task;

@@ -129,6 +129,7 @@ Row rowOf(const Variant& variant, Task task) {
 Contender contenderOf(const Variant& variant, Row row, std::shared_ptr<const Input> input, const Settings& settings) {
   Contender contender;
   contender.mostSeconds = settings.kernelSeconds;
+  contender.wholeSeconds = settings.kernelWhole;
   contender.rows.push_back(std::move(row));
   const auto target = std::make_shared<std::optional<ValueTarget>>();
   contender.draw = [variant, input, target](size_t triangles) -> Result<std::vector<double>> {

@@ -60,6 +60,7 @@ bench::Settings settingsOf(const BenchOptions& options) {
     settings.kernelSeconds = 0.004;
     settings.frameSeconds = 0.05;
     settings.fixedParts = 1;
+    settings.kernelWhole = settings.frameWhole = 0;
   }
   return settings;
 }
@@ -73,6 +74,7 @@ bench::Settings scalingSettings(const BenchOptions& options) {
   settings.kernelSeconds = std::min(settings.kernelSeconds, 0.02);
   settings.frameSeconds = std::min(settings.frameSeconds, 0.1);
   settings.fixedParts = 1;
+  settings.kernelWhole = settings.frameWhole = 0;
   return settings;
 }
 
