@@ -23,12 +23,14 @@ class DrawGeometry {
     const Viewport& viewport = viewportOf(scene, viewportIndex_);
     const Viewport whole{0, 0, static_cast<float>(scene.target.width), static_cast<float>(scene.target.height), 0, 1};
     if (viewport != whole) counts_[Rule::ViewportMap] += draw.positions.size();
+    const bool shared = draw.indices || scene.state.topology != PrimitiveTopology::TRIANGLE_LIST;
+    outcodes_.reserve(draw.positions.size());
+    if (shared) vertices_.reserve(draw.positions.size());
     for (uint32_t i = 0; i < draw.positions.size(); ++i) {
       if (draw.positions[i].w != 1) ++counts_[Rule::Division];
       outcodes_.push_back(outcode(input(i), volume_));
       someClipped_ = someClipped_ || outcodes_.back() != 0;
-      const ClipPosition& position = draw.positions[i];
-      vertices_.push_back(outcodes_.back() == 0 && position.w > 0 ? stage_.original(position) : RasterVertex{});
+      if (shared) vertices_.push_back(projected(i));
     }
     volume_.wideSides = rules.choices.pointClip == PointClip::SidesIgnored && scene.furtherViewports.empty() &&
                         scene.state.polygonMode == PolygonMode::POINT;
@@ -71,6 +73,11 @@ class DrawGeometry {
   [[nodiscard]] ClipInput input(uint32_t vertex) const {
     const size_t count = volume_.distances;
     return {draw_.positions[vertex], std::span(draw_.clipDistances).subspan(vertex * size_t{draw_.clipDistanceCount}, count)};
+  }
+
+  [[nodiscard]] RasterVertex projected(uint32_t vertex) const {
+    const ClipPosition& position = draw_.positions[vertex];
+    return outcodes_[vertex] == 0 && position.w > 0 ? stage_.original(position) : RasterVertex{};
   }
 
   // [vk:vertexpostproc-clipping] discarded if some cull distance is negative at all vertices.
@@ -127,7 +134,8 @@ class DrawGeometry {
 
   void wholePolygon() {
     for (size_t i = 0; i < 3; ++i) {
-      RasterVertex vertex = vertices_[primitive_.assembled.vertices[i]];
+      const uint32_t at = primitive_.assembled.vertices[i];
+      RasterVertex vertex = vertices_.empty() ? projected(at) : vertices_[at];
       vertex.smoothWeights = vertex.linearWeights = {};
       vertex.smoothWeights[i] = vertex.linearWeights[i] = 1;
       primitive_.polygon.push_back(vertex);
@@ -195,7 +203,7 @@ class DrawGeometry {
   FigureMaker figureMaker_;
   Primitive primitive_;
   ClipPolygon clipped_;
-  std::vector<RasterVertex> vertices_;  // of the draw, once each
+  std::vector<RasterVertex> vertices_;  // of the draw, once each; empty where no two primitives share any
   std::vector<unsigned> outcodes_;
   bool someClipped_ = false;
 };

@@ -8,6 +8,7 @@
 #include "rasterizer/figure_rules.hpp"
 #include "rasterizer/frame_writer.hpp"
 #include "rasterizer/freedom_band.hpp"
+#include "rasterizer/kernel_coverage.hpp"
 #include "rasterizer/lines/line_coverage.hpp"
 #include "rasterizer/mistakes/mistaken_scene.hpp"
 #include "rasterizer/sample_pattern.hpp"
@@ -19,11 +20,13 @@ namespace {
 
 class Renderer {
  public:
-  Renderer(const Scene& scene, const Rules& rules, std::vector<SubpixelPosition> pattern, RuleCounts& counts)
+  Renderer(const Scene& scene, const Rules& rules, std::vector<SubpixelPosition> pattern, RuleCounts& counts, bool counted)
       : scene_(scene),
         rules_(rules),
         counts_(counts),
+        counted_(counted),
         pattern_(pattern),
+        kernel_(KernelCoverage::of(scene, rules, pattern)),
         whole_(wholeTarget(scene)),
         values_(scene, needsOf(scene), rules, &counts),
         writer_(scene, needsOf(scene), rules, std::move(pattern), values_, counts),
@@ -39,8 +42,10 @@ class Renderer {
     area_ = region_.area;
     for (const SetupTriangle& piece : primitive.pieces) {
       if (piece.culled) continue;
+      if (kernel_) kernel_->add(primitive, piece);
+      if (kernel_ && !counted_) continue;
       const Box box = boxOf(primitive, piece);
-      expect(box);
+      if (!kernel_) expect(box);
       values_.setUp(primitive, piece);
       writer_.beginPiece(primitive.number, values_);
       countInterpolation(primitive, drawPiece(primitive, piece, box));
@@ -51,7 +56,11 @@ class Renderer {
     if (open_ && !primitive.polygon.empty()) markBand(primitive);
   }
 
-  Frame take() { return writer_.take(values_); }
+  Frame take() {
+    Frame frame = writer_.take(values_);
+    if (kernel_) kernel_->drawInto(frame, counts_);
+    return frame;
+  }
 
  private:
   static constexpr int32_t kExpectedRows = 16;  // of taller pieces the processor fetches the rest by itself
@@ -101,7 +110,7 @@ class Renderer {
       }
       inside += static_cast<uint64_t>(covered);
       if (unequal) ++counts_[Rule::SamplePattern];
-      if (some) writer_.writeRow(primitive.number, values_, y, spans_);
+      if (some && !kernel_) writer_.writeRow(primitive.number, values_, y, spans_);
     }
     counts_[Rule::SampleCoverage] += inside;
     counts_[Rule::TieBreak] += ties;
@@ -202,7 +211,9 @@ class Renderer {
   const Scene& scene_;
   const Rules& rules_;
   RuleCounts& counts_;
+  const bool counted_;  // somebody reads the counts
   const std::vector<SubpixelPosition> pattern_;
+  std::optional<KernelCoverage> kernel_;
   const PixelArea whole_;
   std::vector<DrawingRegion> regions_;  // by viewport
   DrawingRegion region_;                // of the primitive being drawn
@@ -224,7 +235,7 @@ Result<Frame> render(const Scene& scene, const Rules& profile, RuleCounts* count
   RuleCounts& counting = counts != nullptr ? *counts : own;
   const std::optional<Scene> mistaken = mistakenScene(scene, rules.error);
   const Scene& drawn = mistaken ? *mistaken : scene;
-  Renderer renderer(drawn, rules, std::move(*pattern), counting);
+  Renderer renderer(drawn, rules, std::move(*pattern), counting, counts != nullptr);
   forEachPrimitive(drawn, rules, counting, [&](const Primitive& primitive) { renderer.draw(primitive); });
   return renderer.take();
 }
