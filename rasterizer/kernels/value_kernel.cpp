@@ -9,7 +9,7 @@
 
 #include "hwy/highway.h"
 #include "rasterizer/kernels/value_kernel.hpp"
-#include "rasterizer/kernels/value_large-inl.h"
+#include "rasterizer/kernels/value_medium-inl.h"
 #include "rasterizer/kernels/value_rows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -35,20 +35,25 @@ template <class P>
 DrawnArea DrawAll(const ValueTriangles& triangles, const ValueView& view) {
   ValueBatch b;
   Chunks chunks;
+  Farthest farthest(view);
   for (size_t first = 0; first < triangles.positions.size(); first += ValueBatch::kSize) {
     const auto number = static_cast<uint32_t>(first + 1);
     SetUpBatch<P>(triangles, first, std::min(ValueBatch::kSize, triangles.positions.size() - first), view, b);
     for (size_t k = 0; k < b.size; ++k) {
       const size_t i = b.places[k];
-      const bool large = P::kDepth && b.wide[i] != 0;
-      if (HWY_LIKELY(b.far[i] == 0 && !large)) {
+      const auto itsNumber = number + static_cast<uint32_t>(i);
+      const uint64_t way = P::kDepth ? b.way[i] : kSmall;
+      if (HWY_LIKELY(b.far[i] == 0 && way == kSmall)) {
         FindChunks<P>(view, b, i, number, chunks);
-      } else if (b.far[i] == 0) {
-        DrawChunks<P>(view, b, chunks, number);
-        DrawLarge<P>(view, b, i, number + static_cast<uint32_t>(i));
-      } else {
-        DrawChunks<P>(view, b, chunks, number);
+        continue;
+      }
+      DrawChunks<P>(view, b, chunks, number);
+      if (b.far[i] != 0) {
         drawFarTriangle(triangles, first + i, view);
+      } else if (way == kMedium) {
+        DrawMedium<P>(view, b, i, farthest, itsNumber);
+      } else {
+        DrawLarge<P>(view, b, i, itsNumber);
       }
     }
     DrawChunks<P>(view, b, chunks, number);
@@ -108,7 +113,7 @@ void drawValues(const ValueTriangles& triangles, ValueTarget& target, unsigned t
   if (target.needs().depth) farthest.assign((target.height() + 7) / 8 * target.samples() * blockColumns, std::numeric_limits<float>::infinity());
   const auto drawBand = [&](uint32_t firstRow, uint32_t endRow) {
     ValueView view = valueView(target, firstRow, endRow);
-    view.farthest = farthest.data(), view.blockColumns = blockColumns;
+    view.farthest = farthest.data(), view.blockColumns = blockColumns, view.shaded = !target.varyings.empty();
     const DrawnArea area = HWY_DYNAMIC_DISPATCH(DrawPlanes)(triangles, view);
     if (!target.varyings.empty()) shadeArea(triangles, target, area);
   };

@@ -34,36 +34,43 @@ struct BlockRow {
 HWY_INLINE void FindBlockRow(const ValueBatch& b, size_t i, size_t s, double y, BlockRow& rows) {
   const D d;
   const DI di;
+  V leastBegin = hn::Set(d, 65536), mostBegin = hn::Zero(d), leastEnd = leastBegin, mostEnd = mostBegin;
   for (size_t k = 0; k < kBlockHeight; k += kLanes) {
     const V r = hn::Iota(d, y + static_cast<double>(k));
     V begin, end;
     RowBounds(b, i, s, r, begin, end);
     const M inside = hn::And(hn::Lt(begin, end), hn::And(hn::Ge(r, hn::Set(d, b.firstRow[i])), hn::Lt(r, hn::Set(d, b.endRow[i]))));
-    hn::Store(hn::DemoteTo(di, hn::IfThenElse(inside, begin, hn::Set(d, 65536))), di, rows.begin + k);
-    hn::Store(hn::DemoteTo(di, hn::IfThenElseZero(inside, end)), di, rows.end + k);
+    begin = hn::IfThenElse(inside, begin, hn::Set(d, 65536)), end = hn::IfThenElseZero(inside, end);
+    leastBegin = hn::Min(leastBegin, begin), mostBegin = hn::Max(mostBegin, begin);
+    leastEnd = hn::Min(leastEnd, end), mostEnd = hn::Max(mostEnd, end);
+    hn::Store(hn::DemoteTo(di, begin), di, rows.begin + k);
+    hn::Store(hn::DemoteTo(di, end), di, rows.end + k);
   }
-  const auto [leastBegin, mostBegin] = std::minmax_element(rows.begin, rows.begin + kBlockHeight);
-  const auto [leastEnd, mostEnd] = std::minmax_element(rows.end, rows.end + kBlockHeight);
-  rows.firstBlock = *leastBegin / kBlockWidth;
-  rows.endBlock = (*mostEnd + kBlockWidth - 1) / kBlockWidth;
-  rows.firstFull = (*mostBegin + kBlockWidth - 1) / kBlockWidth;
-  rows.endFull = *leastEnd / kBlockWidth;
+  const auto least = [&](V v) { return static_cast<int32_t>(hn::GetLane(hn::MinOfLanes(d, v))); };
+  const auto most = [&](V v) { return static_cast<int32_t>(hn::GetLane(hn::MaxOfLanes(d, v))); };
+  rows.firstBlock = least(leastBegin) / kBlockWidth;
+  rows.endBlock = (most(mostEnd) + kBlockWidth - 1) / kBlockWidth;
+  rows.firstFull = (most(mostBegin) + kBlockWidth - 1) / kBlockWidth;
+  rows.endFull = least(leastEnd) / kBlockWidth;
 }
 
 /// The depth plane of one triangle at one sample.
 struct DepthPlane {
   double a0, gx, gy, fromX, fromY;  // value = (a0 + gy (y + fromY)) + gx (x + fromX)
+  double margin;                    // more than all roundings of a pixel and of a block's corner
   double low, high;                 // added to the value at a block's first pixel: no pixel is nearer or farther
 };
 
+/// For blocks of kWidth × kHeight pixels.
+template <int kWidth, int kHeight>
 HWY_INLINE DepthPlane PlaneOf(const ValueView& view, const ValueBatch& b, size_t i, size_t s) {
-  DepthPlane p{b.a0[i], b.gx[i], b.gy[i], view.x[s] / 256 - b.x0[i], view.y[s] / 256 - b.y0[i], 0, 0};
-  const double across = p.gx * (kBlockWidth - 1), down = p.gy * (kBlockHeight - 1);
+  DepthPlane p{b.a0[i], b.gx[i], b.gy[i], view.x[s] / 256 - b.x0[i], view.y[s] / 256 - b.y0[i], 0, 0, 0};
+  const double across = p.gx * (kWidth - 1), down = p.gy * (kHeight - 1);
   const double sum = std::fabs(p.a0) + std::fabs(p.gx) * (std::fabs(b.x0[i]) + view.width + kBlockWidth) +
                      std::fabs(p.gy) * (std::fabs(b.y0[i]) + view.endRow + kBlockHeight);
-  const double margin = 0x1p-48 * sum;
-  p.low = std::min(across, 0.0) + std::min(down, 0.0) - margin;
-  p.high = std::max(across, 0.0) + std::max(down, 0.0) + margin;
+  p.margin = 0x1p-48 * sum;
+  p.low = std::min(across, 0.0) + std::min(down, 0.0) - p.margin;
+  p.high = std::max(across, 0.0) + std::max(down, 0.0) + p.margin;
   return p;
 }
 
@@ -91,7 +98,7 @@ HWY_NOINLINE void DrawLarge(const ValueView& view, const ValueBatch& b, size_t i
   BlockRow rows;
   const auto firstBlockRow = static_cast<int32_t>(b.firstRow[i]) / kBlockHeight;
   for (size_t s = 0; s < view.samples; ++s) {
-    const DepthPlane plane = PlaneOf(view, b, i, s);
+    const DepthPlane plane = PlaneOf<kBlockWidth, kBlockHeight>(view, b, i, s);
     for (int32_t blockRow = firstBlockRow; blockRow * kBlockHeight < b.endRow[i]; ++blockRow) {
       const double y = blockRow * kBlockHeight;
       FindBlockRow(b, i, s, y, rows);

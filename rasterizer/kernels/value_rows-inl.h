@@ -20,8 +20,8 @@ inline constexpr size_t kChunk = 8;  // pixels
 /// Chunks with a covered pixel, triangle by triangle: element of the planes | mask of pixels << 40 | place << 48.
 /// Elements < 2^14 · 2^4 · (2^14 + 2^4) < 2^33.
 struct Chunks {
-  static constexpr size_t kSize = 1024, kRoom = kSize - 16, kAhead = 32;
-  uint64_t codes[kSize + kAhead];
+  static constexpr size_t kSize = 1024, kRoom = kSize - 16, kAhead = 64;
+  uint64_t codes[kSize + kAhead] = {};
   double depth[kSize];  // at the chunk's first pixel
   size_t size = 0;
 };
@@ -66,15 +66,16 @@ HWY_INLINE hn::Vec<ChunkF> ChunkDepth(double chunk, double gx, size_t first) {
 }
 
 /// Writes pixels [i, i + kChunkLanes) of the planes where `mask` says so and depth passes. Whole vectors are stored: a load
-/// that follows a masked store of the same place would wait for it.
+/// that follows a masked store of the same place would wait for it. Returns the depths that are there now.
 template <class P>
-HWY_INLINE void WriteChunk(const ValueView& view, size_t i, hn::Mask<ChunkF> mask, hn::Vec<ChunkF> depth, uint32_t number) {
+HWY_INLINE hn::Vec<ChunkF> WriteChunk(const ValueView& view, size_t i, hn::Mask<ChunkF> mask, hn::Vec<ChunkF> depth, uint32_t number) {
   const ChunkF df;
   const ChunkU du;
   if (P::kDepth) {
     const auto old = hn::LoadU(df, view.depth + i);
     mask = hn::And(mask, hn::Lt(depth, old));
-    hn::StoreU(hn::IfThenElse(mask, depth, old), df, view.depth + i);
+    depth = hn::IfThenElse(mask, depth, old);
+    hn::StoreU(depth, df, view.depth + i);
   }
   const auto which = hn::RebindMask(du, mask);
   if (P::kPrimitive) hn::StoreU(hn::IfThenElse(which, hn::Set(du, number), hn::LoadU(du, view.primitive + i)), du, view.primitive + i);
@@ -82,6 +83,7 @@ HWY_INLINE void WriteChunk(const ValueView& view, size_t i, hn::Mask<ChunkF> mas
     const auto old = hn::LoadU(du, view.count + i);
     hn::StoreU(hn::IfThenElse(which, old + hn::Set(du, 1), old), du, view.count + i);
   }
+  return depth;
 }
 
 /// `number` of the triangle at place 0. Lines are fetched some chunks ahead: triangles come from all over the target.
@@ -90,12 +92,16 @@ HWY_NOINLINE void DrawChunks(const ValueView& view, const ValueBatch& b, Chunks&
   if (chunks.size == 0) return;
   const auto elementOf = [](uint64_t code) { return code & ((uint64_t{1} << 40) - 1); };
   std::fill_n(chunks.codes + chunks.size, Chunks::kAhead, chunks.codes[0]);
+  const auto prefetch = [&](uint64_t code) {
+    const size_t element = elementOf(code);
+    if (P::kDepth) __builtin_prefetch(view.depth + element, 1);
+    if (P::kPrimitive) __builtin_prefetch(view.primitive + element, 1);
+    if (P::kCount) __builtin_prefetch(view.count + element, 1);
+  };
+  for (size_t k = 0; k < Chunks::kAhead; ++k) prefetch(chunks.codes[k]);
   for (size_t k = 0; k < chunks.size; ++k) {
     const uint64_t code = chunks.codes[k];
-    const size_t ahead = elementOf(chunks.codes[k + Chunks::kAhead]);
-    if (P::kDepth) __builtin_prefetch(view.depth + ahead, 1);
-    if (P::kPrimitive) __builtin_prefetch(view.primitive + ahead, 1);
-    if (P::kCount) __builtin_prefetch(view.count + ahead, 1);
+    prefetch(chunks.codes[k + Chunks::kAhead]);
     const size_t element = elementOf(code), place = code >> 48;
     const auto bits = static_cast<uint32_t>(code >> 40 & 0xFF);
     for (size_t first = 0; first < kChunk; first += kChunkLanes) {

@@ -29,20 +29,24 @@ HWY_BEFORE_NAMESPACE();
 namespace rasterdiff::rasterizer {
 namespace HWY_NAMESPACE {
 
-inline constexpr double kWidePixels = 128;
+inline constexpr double kWidePixels = 128, kMediumPixels = 16;  // lengths of the longest row
+inline constexpr double kMediumArea = 256;                     // pixels
+
+/// Which way a triangle is drawn: without a depth test all are small.
+inline constexpr uint64_t kSmall = 0, kMedium = 1, kWide = 2;
 
 /// Lines and depth planes of up to kSize triangles; index = place in the batch.
 struct ValueBatch {
   static constexpr size_t kSize = 64, kSamples = 16;
   alignas(64) double slope[4][kSize];             // left, left, right, right bound, in pixels a row
   alignas(64) double offset[kSamples][4][kSize];  // pixels, + 1/2
-  // Depth: the plane's anchor (pixels) and gradients (a pixel).
-  alignas(64) double a0[kSize], x0[kSize], y0[kSize], gx[kSize], gy[kSize];
+  // Depth: the plane's anchor (pixels) and gradients (a pixel), the nearest vertex.
+  alignas(64) double a0[kSize], x0[kSize], y0[kSize], gx[kSize], gy[kSize], nearest[kSize];
   alignas(64) double firstColumn[kSize], endColumn[kSize], firstRow[kSize], endRow[kSize];  // clipped box
   size_t size = 0;
   uint64_t places[kSize + 8];  // of what is to be drawn, in order
   alignas(64) uint64_t far[kSize];   // ~0: beyond the fast range
-  alignas(64) uint64_t wide[kSize];  // ~0: some row is kWidePixels or longer
+  alignas(64) uint64_t way[kSize];  // kSmall, kMedium or kWide
   // What all that was set up so far may draw, a vector of boxes.
   alignas(64) double left[kLanes], top[kLanes], right[kLanes], bottom[kLanes];
   alignas(64) uint64_t anyFar[kLanes];
@@ -110,6 +114,7 @@ HWY_INLINE void SetUpValues(const SnappedTriangle* HWY_RESTRICT t, const float* 
     const hn::Rebind<float, D> df;
     hn::Vec<decltype(df)> z[3];
     hn::LoadInterleaved3(df, depth, z[0], z[1], z[2]);
+    hn::Store(hn::PromoteTo(d, hn::Min(hn::Min(z[0], z[1]), z[2])), d, b.nearest + base);
     const V a0 = hn::PromoteTo(d, z[0]), d1 = hn::PromoteTo(d, z[1]) - a0, d2 = hn::PromoteTo(d, z[2]) - a0;
     hn::Store(a0, d, b.a0 + base);
     hn::Store((d1 * e2y - d2 * e1y) * q, d, b.gx + base);
@@ -130,10 +135,16 @@ HWY_INLINE void SetUpValues(const SnappedTriangle* HWY_RESTRICT t, const float* 
   }
   hn::Store(hn::BitCast(DU(), hn::VecFromMask(d, hn::Not(near))), DU(), b.far + base);
   // The longest row is that of the middle vertex: |area| / dyA subpixels.
-  const M wide = hn::Ge(hn::Abs(area), hn::Set(d, 256 * kWidePixels) * dyA);
-  hn::Store(hn::BitCast(DU(), hn::VecFromMask(d, wide)), DU(), b.wide + base);
+  if (kDepth) {
+    const V size = hn::Abs(area);
+    const M wide = hn::Ge(size, hn::Set(d, 256 * kWidePixels) * dyA);
+    const M medium = hn::And(hn::Ge(size, hn::Set(d, 256 * kMediumPixels) * dyA), hn::Ge(size, hn::Set(d, 2 * 65536 * kMediumArea)));
+    const auto codeOf = [](M mask, uint64_t value) { return hn::And(hn::BitCast(DU(), hn::VecFromMask(D(), mask)), hn::Set(DU(), value)); };
+    hn::Store(hn::Or(codeOf(wide, kWide), codeOf(hn::AndNot(wide, medium), kMedium)), DU(), b.way + base);
+  }
   const M drawn = hn::And(inBox, hn::Or(hn::Not(near), hn::Ne(area, zero)));
   Append(hn::Iota(DU(), 0) + hn::Set(DU(), base), drawn, b.places, b.size);
+  if (!view.shaded) return;
   const auto put = [&](double* to, V v) { hn::Store(hn::IfThenElse(drawn, v, hn::Load(d, to)), d, to); };
   put(b.left, hn::Min(firstColumn, hn::Load(d, b.left))), put(b.right, hn::Max(endColumn, hn::Load(d, b.right)));
   put(b.top, hn::Min(firstRow, hn::Load(d, b.top))), put(b.bottom, hn::Max(endRow, hn::Load(d, b.bottom)));

@@ -130,27 +130,58 @@ TEST(ValueKernel, EveryInstructionSetAndThreadCountDrawsTheSameBits) {
   }
 }
 
-/// Wide triangles leave hidden blocks out; alone, each draws all of its pixels.
-TEST(ValueKernel, HiddenBlocksChangeNothing) {
+/// What `load` draws if each triangle is drawn alone, where nothing can hide it.
+ValueTarget drawnApart(const ValueLoad& load, const ValueTarget& cleared) {
+  ValueTarget apart = cleared;
+  for (size_t t = 0; t < load.positions.size(); ++t) {
+    const ValueLoad one{{load.positions[t]}, {load.depth.begin() + static_cast<std::ptrdiff_t>(3 * t), load.depth.begin() + static_cast<std::ptrdiff_t>(3 * t + 3)}, {}, {}, {}};
+    ValueTarget alone = cleared;
+    drawValues(one.view(), alone);
+    for (uint32_t y = 0; y < apart.height(); ++y)
+      for (uint32_t s = 0; s < apart.samples(); ++s)
+        for (size_t i = apart.index(0, y, s); i < apart.index(apart.width(), y, s); ++i) {
+          if (alone.primitive[i] == 0 || !(alone.depth[i] < apart.depth[i])) continue;
+          apart.depth[i] = alone.depth[i];
+          apart.primitive[i] = static_cast<uint32_t>(t + 1);
+          ++apart.count[i];
+        }
+  }
+  return apart;
+}
+
+TEST(ValueKernel, HiddenBlocksOfWideTrianglesChangeNothing) {
   Prng random(31);
   const ValueLoad load = testing::makeLoad(some(testing::hardFamilies(700, 300)[6], 60, random), {}, random);
   for (const uint32_t samples : {1u, 4u}) {
-    auto together = *ValueTarget::create(700, 300, samples, {true, true, true, 0}), apart = together;
+    auto together = *ValueTarget::create(700, 300, samples, {true, true, true, 0});
+    const ValueTarget apart = drawnApart(load, together);
     drawValues(load.view(), together);
-    for (size_t t = 0; t < load.positions.size(); ++t) {
-      const ValueLoad one{{load.positions[t]}, {load.depth.begin() + static_cast<std::ptrdiff_t>(3 * t), load.depth.begin() + static_cast<std::ptrdiff_t>(3 * t + 3)}, {}, {}, {}};
-      auto alone = *ValueTarget::create(700, 300, samples, {true, true, true, 0});
-      drawValues(one.view(), alone);
-      for (uint32_t y = 0; y < 300; ++y)
-        for (uint32_t s = 0; s < samples; ++s)
-          for (size_t i = apart.index(0, y, s); i < apart.index(700, y, s); ++i) {
-            if (alone.primitive[i] == 0 || !(alone.depth[i] < apart.depth[i])) continue;
-            apart.depth[i] = alone.depth[i];
-            apart.primitive[i] = static_cast<uint32_t>(t + 1);
-            ++apart.count[i];
-          }
-    }
     EXPECT_EQ(together.differing(apart), 0u) << samples;
+  }
+}
+
+TEST(ValueKernel, HiddenBlocksOfMediumTrianglesChangeNothing) {
+  Prng random(32);
+  std::vector<SnappedTriangle> triangles;
+  while (triangles.size() < 400) {  // many layers, over the target's edges too, each of some hundred pixels
+    const int32_t x = random.between(-10 * 256, 110 * 256), y = random.between(-10 * 256, 70 * 256);
+    SnappedTriangle t;
+    for (SubpixelPosition& v : t.v) v = {x + random.between(-30 * 256, 30 * 256), y + random.between(-30 * 256, 30 * 256)};
+    triangles.push_back(t);
+  }
+  ValueLoad load = testing::makeLoad(std::move(triangles), {}, random);
+  load.depth[7] = std::numeric_limits<float>::quiet_NaN();
+  for (const uint32_t samples : {1u, 4u}) {
+    const ValueTarget cleared = *ValueTarget::create(101, 61, samples, {true, true, true, 0});
+    const ValueTarget apart = drawnApart(load, cleared);
+    testing::onEveryTarget([&] {
+      ValueTarget together = cleared;
+      drawValues(load.view(), together);
+      EXPECT_EQ(together.differing(apart), 0u) << samples;
+      ValueTarget inBands = cleared;
+      drawValues(load.view(), inBands, 3);
+      EXPECT_EQ(inBands.differing(apart), 0u) << samples;
+    });
   }
 }
 
