@@ -192,8 +192,11 @@ Result<SampleExplanation> explain(const Scene& scene, const Rules& profile, Samp
   SampleExplanation result;
   result.position = {static_cast<int32_t>(query.x) * kSubpixelOne + pattern[query.sample].x,
                      static_cast<int32_t>(query.y) * kSubpixelOne + pattern[query.sample].y};
-  result.insideScissor =
-      targetArea(scene, 0, rules.error).contains(static_cast<int32_t>(query.x), static_cast<int32_t>(query.y));
+  result.insideScissor = false;
+  for (uint32_t viewport = 0; viewport <= scene.furtherViewports.size(); ++viewport) {
+    const PixelArea area = targetArea(scene, viewport, rules.error);
+    result.insideScissor = result.insideScissor || area.contains(static_cast<int32_t>(query.x), static_cast<int32_t>(query.y));
+  }
   result.owner = frame->primitive.at(query.x, query.y, query.sample);
   Explainer explainer(scene, rules, query, result);
   RuleCounts ignored;

@@ -71,7 +71,7 @@ struct Rejection {
 
 struct SampleExplanation {
   SubpixelPosition position;  ///< of the sample, 1/256 pixel
-  bool insideScissor = true;
+  bool insideScissor = true;  ///< of some viewport
   std::vector<PrimitiveExplanation> primitives;  ///< in drawing order
   std::vector<Rejection> rejections;
   std::vector<Rule> rules;                       ///< that had a part in the answer: those that decided first

@@ -25,6 +25,17 @@ bool onOriginalEdge(const RasterVertex& a, const RasterVertex& b) {
   return false;
 }
 
+// [choice:cut-outline] Flagged: the edges of each triangle of the fan come last edge first. The one that closes the
+// polygon is then the first of a whole triangle, and the last but one of a cut polygon that begins with its provoking vertex.
+size_t flaggedOrder(bool cut, ProvokingVertexMode mode, size_t n, size_t k) {
+  if (cut && mode == ProvokingVertexMode::LAST_VERTEX) return k;
+  if (n == 3) return (k + 2) % 3;
+  return k + 2 < n ? k : 2 * n - 3 - k;
+}
+
+// Which triangle (0, i + 1, i + 2) of a fan over n corners edge i, and corner i, belong to.
+size_t fanTriangleOf(size_t i, size_t n) { return i == 0 ? 0 : i == n - 1 ? n - 3 : i - 1; }
+
 // A deliberate error: the last end goes a pixel on along the line.
 void lengthen(RasterVertex& b, const RasterVertex& a) {
   const double dx = b.position.x - a.position.x, dy = b.position.y - a.position.y;
@@ -175,13 +186,17 @@ PointSize FigureMaker::cornerSize(const Primitive& primitive, const RasterVertex
   return pointSize(static_cast<float>(size), rules_.limits);
 }
 
-void FigureMaker::makeOutline(Primitive& primitive, const ClipPolygon& polygon) {
+void FigureMaker::makeOutline(Primitive& primitive, const ClipPolygon& polygon, uint32_t culled) {
+  if (culled == ~uint32_t{0}) return;
   ++counts_[Rule::PolygonMode];
   stipple_ = {};
   const bool flagged = rules_.choices.cutOutline == CutOutline::Flagged;
   const size_t n = primitive.polygon.size();
   const bool open = rules_.error == DeliberateError::LineModeOpen && scene_.state.polygonMode == PolygonMode::LINE;
-  for (size_t i = 0; i < (open ? n - 1 : n); ++i) {
+  const bool lastEarly = flagged && scene_.state.polygonMode == PolygonMode::LINE;
+  for (size_t k = 0; k < (open ? n - 1 : n); ++k) {
+    const size_t i = lastEarly ? flaggedOrder(primitive.cut, scene_.state.provokingVertexMode, n, k) : k;
+    if ((culled >> fanTriangleOf(i, n) & 1) != 0) continue;
     const RasterVertex& a = primitive.polygon[i];
     if (scene_.state.polygonMode == PolygonMode::POINT) {
       const bool wanted = flagged ? polygon.vertices[i].outlined : !a.made;

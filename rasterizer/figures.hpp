@@ -18,8 +18,9 @@ class FigureMaker {
   /// Fills primitive.figures; none where nothing can be drawn.
   void makePoint(Primitive& primitive, const ClipInput& vertex);
   void makeLine(Primitive& primitive, const ClipInput& a, const ClipInput& b);
-  /// A triangle in polygon mode LINE or POINT, from its polygon after clipping and culling.
-  void makeOutline(Primitive& primitive, const ClipPolygon& polygon);
+  /// A triangle in polygon mode LINE or POINT, from its polygon after clipping. `culled`: bits of the fan's triangles whose
+  /// share of edges and corners is left out.
+  void makeOutline(Primitive& primitive, const ClipPolygon& polygon, uint32_t culled);
 
  private:
   [[nodiscard]] bool pointSurvives(const ClipInput& vertex);

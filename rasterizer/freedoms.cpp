@@ -46,6 +46,8 @@ constexpr std::array kFreedoms{
                 "how many samples above the minimum an invocation shades, and which, is not stated"},
     FreedomInfo{DepthBias, "depth-bias", "vk:primsrast-depthbias-computation",
                 "the slope may be the gradient's length or its larger part, the fixed-point unit up to two steps, and lines and points may be biased or not"},
+    FreedomInfo{PrimitiveOrder, "primitive-order", "vk:drawing-primitive-order",
+                "the lines or points that a polygon mode makes of one triangle come in any order"},
     FreedomInfo{UndefinedDepth, "undefined-depth", "vk:fragops-depth",
                 "a depth outside of the viewport's range is undefined without depth clamping"},
     FreedomInfo{AlphaToCoverage, "alpha-to-coverage", "vk:fragops-covg",

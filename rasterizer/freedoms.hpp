@@ -27,6 +27,7 @@ enum class Freedom : uint8_t {
   OffsetRounding,     ///< interpolation offsets may be rounded
   SampleShadingRate,  ///< which samples share an invocation
   DepthBias,          ///< slope, unit and scope of depth bias
+  PrimitiveOrder,     ///< the order of the lines and points that polygon modes make of one triangle
   UndefinedDepth,     ///< depths outside of the viewport's range, unclamped
   AlphaToCoverage,    ///< which samples an alpha between 0 and 1 covers
   ResolveRounding,    ///< the average has no stated precision

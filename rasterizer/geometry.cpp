@@ -121,7 +121,7 @@ class DrawGeometry {
     pieceMaker_.makePieces(primitive_);
     if (!primitive_.cut) takeWholeAsClipped();
     if (rules_.choices.cullPosition == CullPosition::AlsoFloat && someClipped_) {
-      for (SetupTriangle& piece : primitive_.pieces) piece.culled = piece.culled || culledInFloat(piece.corner, piece.flipped);
+      for (SetupTriangle& piece : primitive_.pieces) piece.culled = piece.culled || pieceMaker_.isCulled(areaInFloat(piece.corner, piece.flipped));
     }
     if (scene_.state.polygonMode != PolygonMode::FILL && rules_.error != DeliberateError::PolygonModeIgnored) outline();
   }
@@ -165,12 +165,26 @@ class DrawGeometry {
     }
   }
 
-  // Differences, products and their difference in float32, of positions before snapping.
-  [[nodiscard]] bool culledInFloat(const std::array<uint8_t, 3>& corner, bool flipped) const {
+  // Double area by differences, products and their difference in float32, of positions before snapping.
+  [[nodiscard]] double areaInFloat(const std::array<uint8_t, 3>& corner, bool flipped) const {
     const auto at = [&](size_t k) { return floatPosition(stage_, clipped_.vertices[corner[k]]); };
     const FloatPosition a = at(0), b = at(flipped ? 2 : 1), c = at(flipped ? 1 : 2);
     const float ex = a.x - c.x, ey = a.y - c.y, fx = b.x - c.x, fy = b.y - c.y;
-    return pieceMaker_.isCulled(static_cast<double>(ex * fy - ey * fx));
+    return static_cast<double>(ex * fy - ey * fx);
+  }
+
+  // [choice:cull-position] each triangle of the fan on its own; the first that is left gives the facing.
+  uint32_t facesInFloat() {
+    uint32_t culled = 0;
+    for (size_t i = primitive_.polygon.size() - 1; i >= 2; --i) {
+      const double area = areaInFloat({0, static_cast<uint8_t>(i - 1), static_cast<uint8_t>(i)}, false);
+      if (pieceMaker_.isCulled(area)) {
+        culled |= uint32_t{1} << (i - 2);
+      } else {
+        primitive_.frontFacing = pieceMaker_.isFront(area);
+      }
+    }
+    return culled;
   }
 
   // [vk:primsrast-polygonmode] edges or corners of what clipping and culling left.
@@ -186,8 +200,9 @@ class DrawGeometry {
       primitive_.frontFacing = true;
     }
     primitive_.pieces.clear();
-    const bool inFloat = rules_.choices.cullPosition == CullPosition::AlsoFloat;
-    if (!(inFloat ? culledInFloat({0, 1, 2}, false) : culled)) figureMaker_.makeOutline(primitive_, clipped_);
+    uint32_t dropped = culled ? ~uint32_t{0} : 0;
+    if (rules_.choices.cullPosition == CullPosition::AlsoFloat) dropped = facesInFloat();
+    figureMaker_.makeOutline(primitive_, clipped_, dropped);
     primitive_.polygon.clear();
   }
 

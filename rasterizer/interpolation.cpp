@@ -181,6 +181,11 @@ void PieceValues::setFigureBias(const Figure& figure) {
       deviation = std::max(deviation, vertex->deviation);
       depthError = std::max(depthError, vertex->depthError);
     }
+    if (primitive_->cut && rules_.openValues()) {
+      // Of the cut polygon, or of a piece of it: it may reach either end of the depth range.
+      const float farthest = std::max(std::fabs(primitive_->minDepth), std::fabs(primitive_->maxDepth));
+      inputs.largestDepth.hi = std::max(inputs.largestDepth.hi, double{farthest});
+    }
     inputs.slope = TrianglePlane(corners, deviation).gradient({corners[0].z, corners[1].z, corners[2].z}, depthError);
     if (!std::isfinite(inputs.slope.dx) || !std::isfinite(inputs.slope.dy)) inputs.slope = {0, 0, kUnbounded};
   } else if (line) {

@@ -20,9 +20,9 @@ TieRule tieRuleOf(const Rules& rules) {
 }  // namespace
 
 // [vk:primsrast-polygons-basic] facing is the sign of a = -doubleArea / 2; a zero area is back-facing.
-bool PieceMaker::isFront(double area) const {
-  const bool counterClockwise = area < 0;  // Vulkan's a > 0
-  const bool clockwise = area > 0;
+bool PieceMaker::isFront(double doubleArea) const {
+  const bool counterClockwise = doubleArea < 0;  // Vulkan's a > 0
+  const bool clockwise = doubleArea > 0;
   return state_.frontFace == FrontFace::COUNTER_CLOCKWISE ? counterClockwise : clockwise;
 }
 

@@ -15,10 +15,9 @@ class PieceMaker {
 
   /// Is a triangle with this double area on the screen (y down, any unit) discarded by its facing?
   [[nodiscard]] bool isCulled(double doubleArea) const;
+  [[nodiscard]] bool isFront(double doubleArea) const;
 
  private:
-  [[nodiscard]] bool isFront(double area) const;
-
   const State& state_;
   const Rules& rules_;
   RuleCounts& counts_;

@@ -80,14 +80,14 @@ enum class PointArithmetic : uint8_t {
 /// [choice:point-clip] which points outside of the view volume are drawn. [vk:vertexpostproc-clipping]
 enum class PointClip : uint8_t {
   Volume,        ///< as the device advertises
-  SidesIgnored,  ///< with one viewport, sides do not count: not for points, and corners of polygons are cut at twice the volume
+  SidesIgnored,  ///< sides do not count for points; with one viewport, corners of polygons are cut at twice the volume
 };
 
 /// [choice:cut-outline] which edges and corners of a cut polygon polygon modes LINE and POINT draw.
 /// [vk:primsrast-polygonmode]
 enum class CutOutline : uint8_t {
   Original,  ///< those of the triangle as it was
-  Flagged,   ///< also edges along clip distances, and the corner where the outline comes back inside
+  Flagged,   ///< also edges along clip distances, and the corner where the outline comes back inside; the closing edge early
 };
 
 /// [choice:cull-position] which positions a triangle's facing is culled by. [vk:primsrast-polygons-basic]

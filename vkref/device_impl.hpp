@@ -31,6 +31,7 @@ struct Device::Impl {
   std::vector<Pool<Buffer>::Lease> abandonedBuffers;
   std::optional<Error> broken;  ///< set by DeviceLost and TimedOut: no further scene is drawn
   RenderCost cost;
+  bool pointsBegun = false;  ///< a point outside of the view volume was drawn before the first scene that draws points
 };
 
 }  // namespace rasterdiff::vkref

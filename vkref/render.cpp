@@ -4,6 +4,7 @@
 
 #include "vkref/commands.hpp"
 #include "vkref/device_impl.hpp"
+#include "vkref/primitive_class.hpp"
 #include "vkref/readback.hpp"
 
 namespace rasterdiff::vkref {
@@ -81,13 +82,33 @@ Result<Frame> draw(const Scene& scene, Device::Impl& impl) {
   return frame;
 }
 
+// Nothing that was drawn before may take part in a scene. What llvmpipe does with points outside of a side plane is decided
+// for good by the first point that leaves any plane, and by whether the vertex shader of that one chose a viewport: so that
+// all scenes are drawn alike, it is always the same one.
+Result<void> beginPoints(const Scene& scene, Device::Impl& impl) {
+  if (impl.pointsBegun || !drawsPoints(scene.state)) return {};
+  impl.pointsBegun = true;
+  Scene first;
+  first.target.width = first.target.height = 1;
+  first.viewport = {0, 0, 1, 1, 0, 1};
+  first.state.topology = PrimitiveTopology::POINT_LIST;
+  first.draws.push_back({.positions = {{0, 0, 2, 1}}});
+  if (const Result<Frame> drawn = draw(first, impl); !drawn) return tl::unexpected(drawn.error());
+  return {};
+}
+
+Result<Frame> drawAlone(const Scene& scene, Device::Impl& impl) {
+  if (const Result<void> begun = beginPoints(scene, impl); !begun) return tl::unexpected(begun.error());
+  return draw(scene, impl);
+}
+
 }  // namespace
 
 Result<Frame> render(const Scene& scene, Device& device) {
   Device::Impl& impl = device.impl();
   if (impl.broken) return tl::unexpected(*impl.broken);
   try {
-    Result<Frame> frame = draw(scene, impl);
+    Result<Frame> frame = drawAlone(scene, impl);
     const bool unusable =
         !frame && (frame.error().code == ErrorCode::DeviceLost || frame.error().code == ErrorCode::TimedOut);
     if (unusable) impl.broken = frame.error();

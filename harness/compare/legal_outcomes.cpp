@@ -30,26 +30,82 @@ void addState(std::vector<SampleState>& states, const SampleState& state) {
   states.push_back(state);
 }
 
-bool reachable(const State& state, Bounds clear, bool hasDepth, std::span<const Candidate> candidates,
-               std::span<const Coverage> coverage, uint32_t winner, uint32_t count) {
-  std::vector<SampleState> states{{0, clear, 0, 0}};
-  const bool tests = hasDepth && state.depthTestEnable;
-  for (size_t i = 0; i < candidates.size(); ++i) {
-    if (coverage[i] == Coverage::Out) continue;
-    const Candidate& candidate = candidates[i];
-    std::vector<SampleState> next;
+// Plays candidates through the depth test on intervals, keeping every state that a sample may be in.
+class Play {
+ public:
+  Play(const State& state, bool hasDepth, std::span<const Candidate> candidates, std::span<const Coverage> coverage)
+      : state_(state), tests_(hasDepth && state.depthTestEnable), candidates_(candidates), coverage_(coverage) {}
+
+  [[nodiscard]] std::vector<SampleState> run(Bounds clear) const {
+    std::vector<SampleState> states{{0, clear, 0, 0}};
+    for (size_t first = 0; first < candidates_.size();) {
+      size_t end = first + 1;
+      while (mayMakeSeveral() && end < candidates_.size() && candidates_[end].primitive == candidates_[first].primitive) ++end;
+      states = end - first > kMostOrdered ? afterAny(states, first, end) : afterAll(states, first, end);
+      first = end;
+    }
+    return states;
+  }
+
+ private:
+  static constexpr size_t kMostOrdered = 8;  // 256 subsets
+
+  // [vk:drawing-primitive-order] what a polygon mode makes of one triangle comes in any order.
+  [[nodiscard]] bool mayMakeSeveral() const { return state_.polygonMode != PolygonMode::FILL; }
+
+  void step(const std::vector<SampleState>& states, size_t i, std::vector<SampleState>& next) const {
+    const Candidate& candidate = candidates_[i];
     for (const SampleState& before : states) {
-      const bool mayPass = !tests || rasterizer::depthTestMayPass(state.depthCompareOp, candidate.depth, before.stored);
-      const bool mayFail = tests && rasterizer::depthTestMayFail(state.depthCompareOp, candidate.depth, before.stored);
-      if (coverage[i] == Coverage::Either || mayFail) addState(next, before);
+      if (coverage_[i] == Coverage::Out) {
+        addState(next, before);
+        continue;
+      }
+      const bool mayPass = !tests_ || rasterizer::depthTestMayPass(state_.depthCompareOp, candidate.depth, before.stored);
+      const bool mayFail = tests_ && rasterizer::depthTestMayFail(state_.depthCompareOp, candidate.depth, before.stored);
+      if (coverage_[i] == Coverage::Either || mayFail) addState(next, before);
       if (mayPass) {
         SampleState after{candidate.primitive, before.stored, before.fewest + 1, before.most + 1};
-        if (tests && state.depthWriteEnable) after.stored = candidate.depth;
+        if (tests_ && state_.depthWriteEnable) after.stored = candidate.depth;
         addState(next, after);
       }
     }
-    states = std::move(next);
   }
+
+  // Candidates [first, end) in every order: the states after each subset of them.
+  [[nodiscard]] std::vector<SampleState> afterAll(const std::vector<SampleState>& states, size_t first, size_t end) const {
+    std::vector<std::vector<SampleState>> after(size_t{1} << (end - first));
+    after[0] = states;
+    for (size_t subset = 0; subset + 1 < after.size(); ++subset) {
+      for (size_t i = first; i < end; ++i) {
+        const size_t with = subset | size_t{1} << (i - first);
+        if (with != subset) step(after[subset], i, after[with]);
+      }
+    }
+    return std::move(after.back());
+  }
+
+  // More than can be ordered one by one: any number of them may have passed, and any may have been the last.
+  [[nodiscard]] std::vector<SampleState> afterAny(const std::vector<SampleState>& states, size_t first, size_t end) const {
+    std::vector<SampleState> next = states;
+    for (const SampleState& before : states) {
+      SampleState after{candidates_[first].primitive, before.stored, before.fewest + 1, before.most + static_cast<uint32_t>(end - first)};
+      for (size_t i = first; i < end && tests_ && state_.depthWriteEnable; ++i) {
+        after.stored = {std::min(after.stored.lo, candidates_[i].depth.lo), std::max(after.stored.hi, candidates_[i].depth.hi)};
+      }
+      addState(next, after);
+    }
+    return next;
+  }
+
+  const State& state_;
+  const bool tests_;
+  std::span<const Candidate> candidates_;
+  std::span<const Coverage> coverage_;
+};
+
+bool reachable(const State& state, Bounds clear, bool hasDepth, std::span<const Candidate> candidates,
+               std::span<const Coverage> coverage, uint32_t winner, uint32_t count) {
+  const std::vector<SampleState> states = Play(state, hasDepth, candidates, coverage).run(clear);
   return std::any_of(states.begin(), states.end(), [&](const SampleState& s) {
     return s.winner == winner && s.fewest <= count && count <= s.most;
   });
@@ -116,11 +172,16 @@ class InDrawingOrder {
   std::vector<size_t> partner_;  ///< none(): not on a shared edge
 };
 
-Freedom explanation(std::span<const Candidate> candidates) {
+// Nobody's coverage is free: the order in which one triangle's lines or points come was, or the order by depth.
+Freedom explanation(const State& state, std::span<const Candidate> candidates) {
   Freedom freedom = Freedom::None;
-  for (const Candidate& candidate : candidates) freedom = std::max(freedom, candidate.freedom);
-  // Nobody's coverage is free: the order by depth was.
-  return freedom == Freedom::None ? Freedom::Evaluation : freedom;
+  bool several = false;
+  for (size_t i = 0; i < candidates.size(); ++i) {
+    freedom = std::max(freedom, candidates[i].freedom);
+    several = several || (i > 0 && candidates[i].primitive == candidates[i - 1].primitive);
+  }
+  if (freedom != Freedom::None) return freedom;
+  return several && state.polygonMode != PolygonMode::FILL ? Freedom::PrimitiveOrder : Freedom::Evaluation;
 }
 
 }  // namespace
@@ -136,7 +197,7 @@ Outcome judgeOutcome(const State& state, Bounds clearDepth, bool hasDepth, std::
   const std::vector<std::pair<size_t, size_t>> pairs = sharedTies(candidates);
   if (!hasDepth || !state.depthTestEnable) {
     outcome.legal = InDrawingOrder(candidates, pairs).reaches(winner, count);
-    if (outcome.legal) outcome.freedom = explanation(candidates);
+    if (outcome.legal) outcome.freedom = explanation(state, candidates);
     return outcome;
   }
   constexpr size_t kMostPairs = 16;  // 65,536 assignments; further pairs stay free
@@ -149,7 +210,7 @@ Outcome judgeOutcome(const State& state, Bounds clearDepth, bool hasDepth, std::
     }
     outcome.legal = reachable(state, clearDepth, hasDepth, candidates, coverage, winner, count);
   }
-  if (outcome.legal) outcome.freedom = explanation(candidates);
+  if (outcome.legal) outcome.freedom = explanation(state, candidates);
   return outcome;
 }
 

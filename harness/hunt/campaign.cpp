@@ -76,6 +76,8 @@ std::vector<Raw> Campaign::toShrink() {
 
 void Campaign::absorb(const Raw& raw, const Shrunk& shrunk, bool steady) {
   Finding finding{shrunk.scene, {shrunk.kind, traitsOf(shrunk.scene)}, raw.verdict, shrunk.judgement.reason, {}, shrunk.attempts, 1, steady, {}, {}};
+  const BaselineEntry* entry =
+      knownEntry(options_.baseline, options_.driverName, options_.driverInfo, options_.rulesName, finding.signature);
   if (!steady) finding.signature.traits &= traitsNamed("points lines triangles polygon-line polygon-point");
   if (const Difference* at = find(shrunk.judgement, shrunk.kind)) finding.at = *at;
   const auto same = std::find_if(findings_.begin(), findings_.end(), [&](const Finding& f) { return f.steady == steady && f.signature == finding.signature; });
@@ -83,8 +85,7 @@ void Campaign::absorb(const Raw& raw, const Shrunk& shrunk, bool steady) {
     ++same->seen;
     return;
   }
-  if (const BaselineEntry* entry =
-          knownEntry(options_.baseline, options_.driverName, options_.driverInfo, options_.rulesName, finding.signature)) {
+  if (entry != nullptr) {
     finding.knownRule = entry->rule;
     finding.known = entry->reason;
   }

@@ -110,6 +110,7 @@ void addSupersample(Entries& entries);
 void addRandomLines(Entries& entries);
 void addRandomPoints(Entries& entries);
 void addCrowd(Entries& entries);
+void addFound(Entries& entries);
 void addRandomStrips(Entries& entries);
 void addRandomOutlines(Entries& entries);
 void addRandomCuts(Entries& entries);

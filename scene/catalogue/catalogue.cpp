@@ -18,7 +18,7 @@ std::vector<CatalogueEntry> collect() {
         f::addPolygonMode,   f::addRestart,       f::addDepthClip,    f::addDepthFormat,  f::addDepthBias,
         f::addDepthPrecision, f::addClipDistance, f::addCullDistance, f::addViewports,    f::addSampleMask,
         f::addSampleShading, f::addCentroid,      f::addOffset,       f::addAlphaToCoverage, f::addBuiltIns,
-        f::addResolve,       f::addSupersample,   f::addCrowd,        f::addRandom,       f::addRandomLines,  f::addRandomPoints,
+        f::addResolve,       f::addSupersample,   f::addCrowd,        f::addFound,        f::addRandom,       f::addRandomLines,  f::addRandomPoints,
         f::addRandomStrips,  f::addRandomOutlines, f::addRandomCuts,  f::addRandomDepth,
         f::addPolygon,       f::addMesh}) {
     add(entries);

@@ -163,6 +163,39 @@ TEST(OutcomeWithDepth, WithoutWriteEverybodyMeetsTheClearValue) {
   EXPECT_TRUE(judgeOutcome(depthState(CompareOp::LESS, false), {0.5F, 0.5F}, true, two, 1, 1).legal);
 }
 
+// [vk:drawing-primitive-order] what a polygon mode makes of one triangle comes in any order.
+TEST(OutcomeWithDepth, EdgesOfOneTriangleComeInAnyOrder) {
+  State lines = depthState(CompareOp::LESS);
+  lines.polygonMode = PolygonMode::LINE;
+  const std::vector<Candidate> edges{certain(1, {0.2F, 0.2F}), certain(1, {0.6F, 0.6F}), certain(1, {0.8F, 0.8F})};
+  const auto judgeEdges = [&](const State& state, uint32_t count) { return judgeOutcome(state, {1, 1}, true, edges, 1, count); };
+  for (const uint32_t count : {1U, 2U, 3U}) {
+    EXPECT_TRUE(judgeEdges(lines, count).legal) << count;
+    EXPECT_EQ(judgeEdges(lines, count).freedom, Freedom::PrimitiveOrder);
+  }
+  EXPECT_FALSE(judgeEdges(lines, 4).legal);
+  EXPECT_TRUE(judgeEdges(depthState(CompareOp::LESS), 1).legal) << "filled pieces are in order: the first is the nearest";
+  EXPECT_FALSE(judgeEdges(depthState(CompareOp::LESS), 2).legal);
+}
+
+TEST(OutcomeWithDepth, EdgesOfDifferentTrianglesStayInOrder) {
+  State lines = depthState(CompareOp::LESS);
+  lines.polygonMode = PolygonMode::LINE;
+  const std::vector<Candidate> edges{certain(1, {0.2F, 0.2F}), certain(2, {0.6F, 0.6F})};
+  EXPECT_TRUE(judgeOutcome(lines, {1, 1}, true, edges, 1, 1).legal);
+  EXPECT_FALSE(judgeOutcome(lines, {1, 1}, true, edges, 1, 2).legal);
+}
+
+TEST(OutcomeWithDepth, MoreEdgesThanAreOrderedStayFreeButNeverIllegal) {
+  State points = depthState(CompareOp::LESS);
+  points.polygonMode = PolygonMode::POINT;
+  std::vector<Candidate> corners;
+  for (int i = 0; i < 12; ++i) corners.push_back(certain(1, {static_cast<float>(i) / 16, static_cast<float>(i) / 16}));
+  EXPECT_TRUE(judgeOutcome(points, {1, 1}, true, corners, 1, 1).legal);
+  EXPECT_TRUE(judgeOutcome(points, {1, 1}, true, corners, 1, 12).legal);
+  EXPECT_FALSE(judgeOutcome(points, {1, 1}, true, corners, 1, 13).legal);
+}
+
 TEST(OutcomeWithDepth, WithoutTheTestDepthIsIgnored) {
   State state = depthState(CompareOp::NEVER);
   state.depthTestEnable = false;

@@ -61,6 +61,7 @@ TEST(Catalogue, HasEveryFamilyAndNoNameTwice) {
       "depth-format",   "depth-bias",      "clip-distance", "cull-distance", "viewports",    "sample-mask",
       "sample-shading", "depth-precision", "centroid",      "offset",        "built-ins",    "alpha-to-coverage",
       "resolve",        "supersample",     "polygon",         "random-lines",  "random-points", "crowd",
+      "found",
       "random-strips",  "random-clip",     "random-edges",  "random-corners", "random-depth", "random-line-strips",
       "random-facing",  "random-scissor",  "random-viewport", "random-distances"};
   for (const char* family : kFamilies) EXPECT_GE(families[family], 3u) << family;

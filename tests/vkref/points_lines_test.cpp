@@ -30,6 +30,22 @@ TEST_P(DriverPoints, PointOfSizeOneIsThePixelAroundIt) {
             "3.......\n");
 }
 
+// [vk:invariance-repeatability] a scene is drawn alike whatever was drawn before it.
+TEST_P(DriverPoints, PointsOutsideOfASideAreDrawnAlikeAfterScenesWithAndWithoutViewports) {
+  Scene outside = withTopology(PrimitiveTopology::POINT_LIST, {{-2, 4}, {4, 4}});
+  outside.state.pointSize = 7;
+  Scene viewports = outside;
+  viewports.furtherViewports = {{viewports.viewport}};
+  const Result<std::unique_ptr<Device>> fresh = openDevice({GetParam(), /*validate=*/true, /*timeoutSeconds=*/60});
+  ASSERT_TRUE(fresh.has_value());
+  const Result<Frame> first = render(viewports, **fresh);
+  ASSERT_TRUE(first.has_value());
+  const std::string one = textPrimitives(draw(outside)), several = textPrimitives(*first);
+  EXPECT_EQ(textPrimitives(draw(viewports)), several) << "after a scene of one viewport, and as the first of all";
+  EXPECT_EQ(textPrimitives(draw(outside)), one) << "after a scene of several viewports";
+  EXPECT_EQ(textPrimitives(draw(viewports)), several);
+}
+
 TEST_P(DriverPoints, SizesComeFromTheVerticesOrFromTheState) {
   Scene scene = withTopology(PrimitiveTopology::POINT_LIST, {{1.5F, 2.5F}, {6, 2}, {4.5F, 6.5F}});
   scene.draws.front().pointSizes = {3, 2, 1};

@@ -1,0 +1,166 @@
+// The smallest scenes of differences that the search (`hunt`) found in a driver: a pixel or two each, the numbers as the
+// shrinking left them.
+#include "scene/catalogue/build.hpp"
+
+namespace rasterdiff::families {
+namespace {
+
+Varying one(const std::string& name, Interpolation interpolation, std::vector<float> values) {
+  return {.name = name, .interpolation = interpolation, .components = 1, .values = std::move(values)};
+}
+
+Scene pixel(PrimitiveTopology topology, std::vector<ClipPosition> vertices, uint32_t samples = 1) {
+  Scene scene = square(1, samples);
+  scene.state.topology = topology;
+  drawClip(scene, std::move(vertices));
+  return scene;
+}
+
+Scene stippled(PrimitiveTopology topology, uint16_t pattern, std::vector<ClipPosition> vertices) {
+  Scene scene = pixel(topology, std::move(vertices));
+  scene.state.stippledLineEnable = true;
+  scene.state.lineStipplePattern = pattern;
+  return scene;
+}
+
+Scene outlined(PolygonMode mode, std::vector<ClipPosition> vertices, uint32_t samples = 1) {
+  Scene scene = pixel(PrimitiveTopology::TRIANGLE_LIST, std::move(vertices), samples);
+  scene.state.polygonMode = mode;
+  return scene;
+}
+
+Scene biased(Scene scene, float constant, float slope) {
+  useDepth(scene, CompareOp::ALWAYS);
+  scene.state.depthBiasEnable = true;
+  scene.state.depthBiasConstantFactor = constant;
+  scene.state.depthBiasSlopeFactor = slope;
+  return scene;
+}
+
+void addLines(Family& family) {
+  using enum PrimitiveTopology;
+  family.add("stipple-strip-built-ins", "the second segment of a stippled strip is drawn in the same places whatever the shader reads",
+             {"R32", "R49"}, [] {
+               Scene scene = stippled(LINE_STRIP, 0x1C47, {{-1, -0.5625f, 0.5f, 1}, {-1, -0.25f, 0.5f, 1}, {1, -0.3125f, 0.5f, 1}});
+               scene.viewport = {0, -11, 1, 32, 0, 1};
+               scene.builtIns = {BuiltIn::SamplePosition};
+               return scene;
+             });
+  family.add("stipple-viewport", "a stippled line in viewport 1, where the scissor of viewport 0 is elsewhere", {"R32", "R39"}, [] {
+    Scene scene = stippled(LINE_LIST, 0xFFFE, {{-1, 0, 0, 1}, {3, 0, 0, 1}});
+    scene.draws[0].viewportIndex = 1;
+    scene.scissor = Rect2D{0, 7, 1, 1};
+    scene.furtherViewports = {{{-1, 0, 4, 1, 0, 1}}};
+    return scene;
+  });
+  family.add("stipple-perspective", "an input in perspective along a stippled line", {"R21", "R27", "R32"}, [] {
+    Scene scene = stippled(LINE_LIST, 0x7FFE, {{-0.9166667f, 0.083333336f, 0, 1}, {-1.5f, 0.33333334f, 0, 2}});
+    scene.viewport = {-2, -13, 24, 24, 0, 1};
+    scene.draws[0].varyings = {one("smooth", Interpolation::smooth, {0, -1})};
+    return scene;
+  });
+  family.add("cut-line-noperspective", "a constant along a line that is cut behind the eye", {"R9", "R27"}, [] {
+    Scene scene = pixel(LINE_LIST, {{1, 1, 0.5f, 1}, {-1, -3, -0.5f, -1}});
+    scene.draws[0].varyings = {one("noperspective", Interpolation::noperspective, {1, 1})};
+    return scene;
+  });
+  family.add("line-over-viewport-4x", "the viewport does not cut the width of lines, at four samples either", {"R2", "R27"}, [] {
+    Scene scene = pixel(LINE_LIST, {{-0.75f, 1, 0.5f, 1}, {-0.625f, 1, 0.5f, 1}}, 4);
+    scene.viewport = {-2, -4, 16, 4, 0, 1};
+    return scene;
+  });
+}
+
+void addPoints(Family& family) {
+  using enum PrimitiveTopology;
+  family.add("point-coord-small", "where a point below one pixel is drawn, its coordinates are those of its size", {"R25"}, [] {
+    Scene scene = pixel(POINT_LIST, {{1, 1, 0, 1}});
+    scene.state.pointSize = 0.125f;
+    scene.builtIns = {BuiltIn::PointCoord};
+    return scene;
+  });
+  family.add("points-outside-viewports", "points outside of a side plane, in viewport 1", {"R7", "R49"}, [] {
+    Scene scene = square(8);
+    scene.state.topology = POINT_LIST;
+    scene.state.pointSize = 3;
+    drawClip(scene, {{3, 5, 0, 1}});
+    scene.furtherViewports = {{scene.viewport}};
+    scene.draws[0].viewportIndex = 1;
+    return scene;
+  });
+  family.add("point-values", "a point's fragments have its vertex's data: nothing is interpolated", {"R25"}, [] {
+    Scene scene = target(3, 1);
+    scene.state.topology = POINT_LIST;
+    const float w[] = {0.93314356f, 0.13288045f, 1.7139955f};
+    drawClip(scene, {{w[0] * -2 / 3, 0, 0, w[0]}, {0, 0, 0, w[1]}, {w[2] * 2 / 3, 0, 0, w[2]}});
+    scene.draws[0].varyings = {one("smooth", Interpolation::smooth, {-4.859337f, 4.9850955f, -1.75f}),
+                               one("noperspective", Interpolation::noperspective, {-4.859337f, 4.9850955f, -1.75f})};
+    return scene;
+  });
+}
+
+void addOutlines(Family& family) {
+  using enum PolygonMode;
+  family.add("edges-before-depth", "two edges of one triangle in a pixel, nearer and farther: they come in any order", {"R34", "R38", "R50"}, [] {
+    Scene scene = outlined(LINE, {{-1, -1, 1, 1}, {1, 1, 1, 1}, {1, 1, 0, 1}});
+    useDepth(scene, CompareOp::LESS_OR_EQUAL);
+    return scene;
+  });
+  family.add("edges-viewport", "the edges of a cut triangle in viewport 1, where the scissor of viewport 0 is elsewhere", {"R34", "R39"}, [] {
+    Scene scene = outlined(LINE, {{0, 0, 0, 1}, {0.125f, 3, 0, 1}, {-0.03125f, -1, 0, 1}});
+    scene.target.width = 16;
+    scene.viewport = {0, 0, 16, 1, 0, 1};
+    scene.scissor = Rect2D{6, 4, 1, 1};
+    scene.furtherViewports = {{{-16, 0, 64, 2, 0, 1}}};
+    scene.draws[0].viewportIndex = 1;
+    return scene;
+  });
+  family.add("edges-biased-beyond", "a slope bias that takes one end of an edge beyond the depth range", {"R34", "R37", "R38"}, [] {
+    return biased(outlined(LINE, {{-1, -1, 0.25f, 1}, {1, 1, 1, 1}, {0.75f, 1, 1, 1}}), 0, 0.25f);
+  });
+  family.add("edges-biased-slope", "the slope of a triangle's bias is that of the triangle, on its edges too", {"R34", "R35", "R37"}, [] {
+    return biased(outlined(LINE, {{-1, -1, 0.25f, 1}, {1, -1, 0.20510776f, 1}, {-1, 1, 0.25f, 1}}), 0, 0.5f);
+  });
+  family.add("edges-biased-no-area", "a bias of zero on the edges of a triangle without area", {"R12", "R34", "R37"},
+             [] { return biased(outlined(LINE, {{1, 1, 0.5f, 1}, {-1, -1, 0.5f, 1}, {-1, -1, 0.5f, 1}}), 0, 0); });
+  family.add("corner-without-area", "a triangle without area is back-facing, at its corners too", {"R12", "R34", "R44"}, [] {
+    Scene scene = outlined(POINT, {{0, 0, 0, 1}, {1, 1, 0, 1}, {0, 0, 0, 1}});
+    scene.builtIns = {BuiltIn::FrontFacing};
+    return scene;
+  });
+  family.add("edge-outside-4x", "the edges of a triangle wholly outside of the view volume", {"R3", "R34"},
+             [] { return outlined(LINE, {{103, -17, 0, 1}, {-9, 3, 0, 1}, {7, 3, 0, 1}}, 4); });
+  family.add("edges-behind-eye", "a triangle with a vertex behind the eye: its edge in front of it", {"R3", "R8", "R34"},
+             [] { return outlined(LINE, {{-1, -1, 0, 1}, {6, -6, 0, -2}, {-1, 1, 0, 1}}); });
+}
+
+void addTriangles(Family& family) {
+  using enum PrimitiveTopology;
+  family.add("cut-triangle-noperspective", "an input of a triangle cut at a side that its first vertex lies on", {"R9"}, [] {
+    Scene scene = pixel(TRIANGLE_LIST, {{-1, -0.75f, 0, 1}, {-20.5f, -20, 0, 1}, {0, -1, 0, 1}});
+    scene.viewport = {0, 0, 16, 8, 0, 1};
+    scene.draws[0].varyings = {one("noperspective", Interpolation::noperspective, {0, 0, -1})};
+    return scene;
+  });
+  family.add("bias-of-largest-depth", "the unit of a float bias comes from the largest depth, whichever vertex has it", {"R36"}, [] {
+    return biased(pixel(TRIANGLE_LIST, {{-1, -1, 0.3f, 1}, {1, -1, 0.15f, 1}, {1, 1, 0.15f, 1}}), -70000, 0);
+  });
+  family.add("bias-reversed-range", "the unit of a float bias where the viewport's depth range is reversed", {"R2", "R36"}, [] {
+    Scene scene = biased(pixel(TRIANGLE_LIST, {{-1, -1, 0.5f, 1}, {1, 1, 0.5f, 1}, {1, -1, 0.5f, 1}}), -70000, 0);
+    scene.viewport.minDepth = 1;
+    scene.viewport.maxDepth = 0;
+    return scene;
+  });
+}
+
+}  // namespace
+
+void addFound(Entries& entries) {
+  Family family(entries, "found");
+  addTriangles(family);
+  addOutlines(family);
+  addLines(family);
+  addPoints(family);
+}
+
+}  // namespace rasterdiff::families
