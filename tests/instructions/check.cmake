@@ -1,4 +1,4 @@
-# Counts the instructions of the coverage kernel under callgrind and fails above what instruction_counts.json records.
+# Counts the instructions of the coverage and value kernels under callgrind and fails above what instruction_counts.json records.
 # Needs VALGRIND, PROGRAM (count_instructions), RECORDED (the JSON file), COMPILER (id and version).
 file(READ "${RECORDED}" recorded)
 string(JSON recorded_compiler GET "${recorded}" compiler)
@@ -13,9 +13,10 @@ set(failed FALSE)
 foreach(i RANGE ${last})
   string(JSON name MEMBER "${recorded}" instructions ${i})
   string(JSON before GET "${recorded}" instructions "${name}")
+  string(REGEX REPLACE ", (values)$" ";\\1" arguments "${name}")
   execute_process(
     COMMAND "${VALGRIND}" --tool=callgrind --callgrind-out-file=/dev/null "--toggle-collect=rasterdiff::rasterizer::drawCoverage(*"
-            "${PROGRAM}" "${name}"
+            "--toggle-collect=rasterdiff::rasterizer::drawValues(*" "${PROGRAM}" ${arguments}
     RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT status EQUAL 0 OR NOT output MATCHES "Collected : ([0-9]+)")
     message(FATAL_ERROR "${name}: no count\n${output}")
