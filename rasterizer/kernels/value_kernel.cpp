@@ -9,6 +9,7 @@
 
 #include "hwy/highway.h"
 #include "rasterizer/kernels/value_kernel.hpp"
+#include "rasterizer/kernels/value_large-inl.h"
 #include "rasterizer/kernels/value_medium-inl.h"
 #include "rasterizer/kernels/value_rows-inl.h"
 
@@ -53,7 +54,7 @@ DrawnArea DrawAll(const ValueTriangles& triangles, const ValueView& view) {
       } else if (way == kMedium) {
         DrawMedium<P>(view, b, i, farthest, itsNumber);
       } else {
-        DrawLarge<P>(view, b, i, itsNumber);
+        DrawLarge<P>(view, b, i, farthest, itsNumber);
       }
     }
     DrawChunks<P>(view, b, chunks, number);
@@ -80,7 +81,6 @@ DrawnArea DrawPlanes(const ValueTriangles& triangles, const ValueView& view) {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include <limits>
 #include <thread>
 #include <vector>
 
@@ -108,12 +108,9 @@ ValueView valueView(ValueTarget& target, uint32_t firstRow, uint32_t endRow) {
 
 void drawValues(const ValueTriangles& triangles, ValueTarget& target, unsigned threads) {
   constexpr uint32_t kLeastRows = 16;  // of a band
-  const size_t blockColumns = (target.width() + 63) / 64 + 8;
-  std::vector<float> farthest;
-  if (target.needs().depth) farthest.assign((target.height() + 7) / 8 * target.samples() * blockColumns, std::numeric_limits<float>::infinity());
   const auto drawBand = [&](uint32_t firstRow, uint32_t endRow) {
     ValueView view = valueView(target, firstRow, endRow);
-    view.farthest = farthest.data(), view.blockColumns = blockColumns, view.shaded = !target.varyings.empty();
+    view.shaded = !target.varyings.empty();
     const DrawnArea area = HWY_DYNAMIC_DISPATCH(DrawPlanes)(triangles, view);
     if (!target.varyings.empty()) shadeArea(triangles, target, area);
   };

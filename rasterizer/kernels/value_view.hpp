@@ -14,8 +14,6 @@ struct ValueView {
   uint32_t* primitive = nullptr;
   uint32_t* count = nullptr;
   float* depth = nullptr;
-  float* farthest = nullptr;  ///< of blocks of 64 pixels × 8 rows, with depth; index (block row · samples + s) · blockColumns + column
-  size_t blockColumns = 0;    ///< with room for a vector more
   bool shaded = false;        ///< there are varyings: what is drawn where is wanted
   double width = 0, firstRow = 0, endRow = 0;  ///< pixels
   size_t samples = 1, stride = 0;
