@@ -43,9 +43,9 @@ Components ComponentsOf(const ValueTriangles& triangles) {
   return c;
 }
 
-/// Weights by kind; those that no component needs are zero.
-struct Weights {
-  PerVertex noperspective, perspective;
+/// Weights of a vector of pixels by kind; only those that some component needs are ever set.
+struct alignas(64) WeightLanes {
+  double noperspective[3][kShadeLanes] = {}, perspective[3][kShadeLanes] = {};
 };
 
 /// Where components go: their planes, from the vector's first pixel on; zero where nothing is drawn.
@@ -60,7 +60,7 @@ struct Outputs {
 };
 
 /// All pixels have triangle `t`.
-HWY_INLINE void ShadeOne(const ValueTriangles& triangles, size_t t, const Components& components, const Weights& weights, const Outputs& out) {
+HWY_INLINE void ShadeOne(const ValueTriangles& triangles, size_t t, const Components& components, const WeightLanes& weights, const Outputs& out) {
   const ShadeD d;
   const size_t n = components.count;
   const float* HWY_RESTRICT v = triangles.values.data() + 3 * n * t;
@@ -69,16 +69,11 @@ HWY_INLINE void ShadeOne(const ValueTriangles& triangles, size_t t, const Compon
       out.Put(c, hn::Set(ShadeF(), v[c]));
       continue;
     }
-    const PerVertex& w = components.kinds[c] == ValueKind::Perspective ? weights.perspective : weights.noperspective;
+    const auto& w = components.kinds[c] == ValueKind::Perspective ? weights.perspective : weights.noperspective;
     const auto value = [&](size_t vertex) { return hn::Set(d, double{v[vertex * n + c]}); };
-    out.Put(c, hn::DemoteTo(ShadeF(), w.v[0] * value(0) + w.v[1] * value(1) + w.v[2] * value(2)));
+    out.Put(c, hn::DemoteTo(ShadeF(), hn::Load(d, w[0]) * value(0) + hn::Load(d, w[1]) * value(1) + hn::Load(d, w[2]) * value(2)));
   }
 }
-
-/// Weights as memory, for one pixel at a time.
-struct alignas(64) WeightLanes {
-  double noperspective[3][kShadeLanes], perspective[3][kShadeLanes];
-};
 
 #if HWY_TARGET <= HWY_AVX2
 using GroupD = hn::CappedTag<double, kGroup>;
@@ -172,34 +167,35 @@ HWY_INLINE void ShadeMany(const ValueTriangles& triangles, const Places& places,
 }
 #endif
 
-/// The pixels of a vector, from (x, y) on, which is element `element` of the planes.
-HWY_INLINE void ShadeVector(const ValueTriangles& triangles, const uint32_t* HWY_RESTRICT numbers, const Components& components, bool far,
-                            uint32_t x, uint32_t y, float* const* to, size_t element) {
+/// Vectors of a row of a tile. First the weights of all, then the values: from a pixel's number to its values it is so long a
+/// way that a processor would look ahead no farther than the next vector.
+struct TileRow {
+  static constexpr size_t kVectors = kTileColumns / kShadeLanes;
+  enum class What : uint8_t { Nothing, One, Many };
+  What what[kVectors];
+  Places places[kVectors];
+  WeightLanes weights[kVectors];
+};
+
+HWY_INLINE TileRow::What FindWeights(const ValueTriangles& triangles, const uint32_t* HWY_RESTRICT numbers, const Components& components, bool far,
+                                     uint32_t x, uint32_t y, Places& places, WeightLanes& weights) {
   const ShadeD d;
   const ShadeU u;
   const auto number = hn::LoadU(u, numbers);
-  const auto drawn = hn::Ne(number, hn::Zero(u));
-  if (hn::AllFalse(u, drawn)) return;
-  const Outputs out{to, element, hn::RebindMask(ShadeF(), drawn)};
+  if (hn::AllTrue(u, hn::Eq(number, hn::Zero(u)))) return TileRow::What::Nothing;
   const SubpixelPosition centre{static_cast<int32_t>(x) * kSubpixelOne + kSubpixelOne / 2, static_cast<int32_t>(y) * kSubpixelOne + kSubpixelOne / 2};
   const ShadeV px = hn::MulAdd(hn::Iota(d, 0), hn::Set(d, kSubpixelOne), hn::Set(d, centre.x)), py = hn::Set(d, centre.y);
   const bool one = hn::AllTrue(u, hn::Eq(number, hn::Set(u, numbers[0])));
-  Places places;
   hn::Store(hn::Max(number, hn::Set(u, 1)) - hn::Set(u, 1), u, places.of);  // nobody's pixels take any triangle
   const Corners3 corners = one ? CornersOfOne(triangles, places.of[0], components.perspective, px, py)
                                : CornersOfMany(triangles, places, components.perspective, px, py);
   const PerVertex b = HWY_UNLIKELY(far) ? FarEdgeFunctions(triangles, places, centre) : EdgeFunctions(corners);
-  const ShadeV zero = hn::Zero(d);
-  Weights weights{{{zero, zero, zero}}, {{zero, zero, zero}}};
-  if (components.noperspective) weights.noperspective = WeightsOf(b.v[0], b.v[1], b.v[2]);
-  if (components.perspective) weights.perspective = WeightsOf(b.v[0] * corners.r.v[0], b.v[1] * corners.r.v[1], b.v[2] * corners.r.v[2]);
-  if (one) return ShadeOne(triangles, places.of[0], components, weights, out);
-  WeightLanes lanes;
-  for (size_t i = 0; i < 3; ++i) {
-    hn::Store(weights.noperspective.v[i], d, lanes.noperspective[i]);
-    hn::Store(weights.perspective.v[i], d, lanes.perspective[i]);
-  }
-  ShadeMany(triangles, places, components, lanes, out);
+  const auto put = [&](const PerVertex& w, double(*to)[kShadeLanes]) {
+    for (size_t i = 0; i < 3; ++i) hn::Store(w.v[i], d, to[i]);
+  };
+  if (components.noperspective) put(WeightsOf(b.v[0], b.v[1], b.v[2]), weights.noperspective);
+  if (components.perspective) put(WeightsOf(b.v[0] * corners.r.v[0], b.v[1] * corners.r.v[1], b.v[2] * corners.r.v[2]), weights.perspective);
+  return one ? TileRow::What::One : TileRow::What::Many;
 }
 
 /// Fetches what a row will want of triangles that the row above has not.
@@ -223,6 +219,13 @@ HWY_INLINE void PrefetchRow(const ValueTriangles& triangles, const uint32_t* HWY
   }
 }
 
+/// Fetches a row of a tile of one plane; beyond its end that does nothing.
+template <class T>
+HWY_INLINE void PrefetchPlane(const T* from) {
+  constexpr size_t kLine = 16;  // elements
+  for (size_t k = 0; k < kTileColumns; k += kLine) __builtin_prefetch(from + k);
+}
+
 /// Tile by tile, for the sake of caches: a tile's rows have much the same triangles.
 void Shade(const ValueTriangles& triangles, ValueTarget& target, const DrawnArea& area) {
   constexpr uint32_t kTileRows = 32, kAhead = 2;
@@ -230,14 +233,29 @@ void Shade(const ValueTriangles& triangles, ValueTarget& target, const DrawnArea
   float* to[kMaxValueComponents] = {};
   for (size_t c = 0; c < components.count; ++c) to[c] = target.varyings[c].data();
   const uint32_t* HWY_RESTRICT numbers = target.primitive.data();
+  TileRow row;
   const auto tile = [&](uint32_t left, uint32_t right, uint32_t top, uint32_t bottom) {
     for (uint32_t y = top; y < bottom; ++y)
       for (uint32_t s = 0; s < target.samples(); ++s) {
         if (y + kAhead < bottom)
           PrefetchRow(triangles, numbers + target.index(left, y + kAhead, s), numbers + target.index(left, y + kAhead - 1, s), right - left);
-        for (uint32_t x = left; x < right; x += kShadeLanes) {
-          const size_t element = target.index(x, y, s);
-          ShadeVector(triangles, numbers + element, components, area.far, x, y, to, element);
+        const size_t next = target.index(left, y, s) + kTileColumns;  // the next tile: no sequence that a processor foresees
+        PrefetchPlane(numbers + next);
+        for (size_t c = 0; c < components.count; ++c) PrefetchPlane(to[c] + next);
+        const size_t first = target.index(left, y, s), vectors = (right - left + kShadeLanes - 1) / kShadeLanes;
+        for (size_t k = 0; k < vectors; ++k)
+          row.what[k] = FindWeights(triangles, numbers + first + k * kShadeLanes, components, area.far, left + static_cast<uint32_t>(k * kShadeLanes), y,
+                                    row.places[k], row.weights[k]);
+        for (size_t k = 0; k < vectors; ++k) {
+          if (row.what[k] == TileRow::What::Nothing) continue;
+          const size_t element = first + k * kShadeLanes;
+          const ShadeU u;
+          const Outputs out{to, element, hn::RebindMask(ShadeF(), hn::Ne(hn::LoadU(u, numbers + element), hn::Zero(u)))};
+          if (row.what[k] == TileRow::What::One) {
+            ShadeOne(triangles, row.places[k].of[0], components, row.weights[k], out);
+          } else {
+            ShadeMany(triangles, row.places[k], components, row.weights[k], out);
+          }
         }
       }
   };
