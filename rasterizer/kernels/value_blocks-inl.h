@@ -123,9 +123,10 @@ HWY_INLINE M Seen(const DepthPlane& plane, double row, double low, size_t block,
 
 /// Draws the blocks of the list and empties it; kLong: long blocks are wanted.
 template <class P, bool kLong>
-HWY_INLINE void DrawSeen(const ValueView& view, const DepthPlane& plane, size_t s, size_t firstBlockRow, Farthest& farthest, uint32_t number,
+HWY_INLINE void DrawSeen(const ValueView& target, const DepthPlane& plane, size_t s, size_t firstBlockRow, Farthest& farthest, uint32_t number,
                          SeenBlocks& seen) {
   if (seen.size == 0) return;
+  const ValueView view = target;  // which no store can change
   const D d;
   const DU du;
   const ChunkF f;

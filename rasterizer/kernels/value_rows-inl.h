@@ -88,8 +88,9 @@ HWY_INLINE hn::Vec<ChunkF> WriteChunk(const ValueView& view, size_t i, hn::Mask<
 
 /// `number` of the triangle at place 0. Lines are fetched some chunks ahead: triangles come from all over the target.
 template <class P>
-HWY_NOINLINE void DrawChunks(const ValueView& view, const ValueBatch& b, Chunks& chunks, uint32_t number) {
+HWY_NOINLINE void DrawChunks(const ValueView& target, const ValueBatch& b, Chunks& chunks, uint32_t number) {
   if (chunks.size == 0) return;
+  const ValueView view = target;  // which no store can change
   const auto elementOf = [](uint64_t code) { return code & ((uint64_t{1} << 40) - 1); };
   std::fill_n(chunks.codes + chunks.size, Chunks::kAhead, chunks.codes[0]);
   const auto prefetch = [&](uint64_t code) {
@@ -99,7 +100,7 @@ HWY_NOINLINE void DrawChunks(const ValueView& view, const ValueBatch& b, Chunks&
     if (P::kCount) __builtin_prefetch(view.count + element, 1);
   };
   for (size_t k = 0; k < Chunks::kAhead; ++k) prefetch(chunks.codes[k]);
-  for (size_t k = 0; k < chunks.size; ++k) {
+  for (size_t k = 0, size = chunks.size; k < size; ++k) {
     const uint64_t code = chunks.codes[k];
     prefetch(chunks.codes[k + Chunks::kAhead]);
     const size_t element = elementOf(code), place = code >> 48;
