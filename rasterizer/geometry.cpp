@@ -199,10 +199,10 @@ class DrawGeometry {
       culled = scene_.state.cullMode != CullMode::NONE && scene_.state.cullMode != CullMode::BACK;
       primitive_.frontFacing = true;
     }
-    primitive_.pieces.clear();
     uint32_t dropped = culled ? ~uint32_t{0} : 0;
     if (rules_.choices.cullPosition == CullPosition::AlsoFloat) dropped = facesInFloat();
     figureMaker_.makeOutline(primitive_, clipped_, dropped);
+    primitive_.pieces.clear();
     primitive_.polygon.clear();
   }
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "harness/cli/check_worker.hpp"
+#include "harness/cli/invariant_check.hpp"
 #include "harness/cli/isolated.hpp"
 #include "harness/cli/memory.hpp"
 #include "harness/cli/message.hpp"
@@ -134,7 +135,7 @@ int runVerb(const CheckOptions& options) {
   }
   std::optional<RandomCount> count;
   if (options.count) count = RandomCount{*options.count, options.seed};
-  const Result<std::vector<Job>> jobs = selectScenes(options.scenes, count);
+  const Result<std::vector<Job>> jobs = selectScenesAndInvariants(options.scenes, count);
   if (!jobs) return complain(jobs.error(), nextCommand(jobs.error(), "check"));
   // A path that cannot be written must not cost the minute before it is noticed.
   for (const std::string* path : {&options.json, &options.junit, &options.report}) {

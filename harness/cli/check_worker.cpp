@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "harness/cli/invariant_check.hpp"
 #include "harness/cli/rule_choice.hpp"
 #include "harness/report/record.hpp"
 
@@ -19,8 +20,10 @@ void checkScenes(WorkerLink& link, const DriverChoice& choice, const std::vector
   link.opened(recordOf(RunSubject{choice.driver, driver.name(), driver.info(), subjectLine(driver), driver.details(),
                                   driver.limits(), rules->name, rules->open}));
   while (const std::optional<uint32_t> job = link.nextJob()) {
-    const CheckedScene checked = checkScene(jobs[*job], driver, *rules, settings(*job),
-                                            [&](std::string_view phase) { link.entering(phase); });
+    const auto entering = [&](std::string_view phase) { link.entering(phase); };
+    const bool property = jobs[*job].invariant != nullptr;
+    const CheckedScene checked =
+        property ? checkInvariant(jobs[*job], driver, entering) : checkScene(jobs[*job], driver, *rules, settings(*job), entering);
     link.done(recordOf(checked.entry), checked.subjectLost);
     if (checked.subjectLost) return;
   }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/invariants/invariant.hpp"
 #include "scene/result.hpp"
 #include "scene/scene.hpp"
 
@@ -21,6 +22,7 @@ struct Job {
   std::string what, link;
   std::vector<std::string> rules;
   std::function<Result<Scene>()> make;
+  const invariants::Invariant* invariant = nullptr;  ///< to be asked instead of drawing one scene
 };
 
 struct RandomCount {

@@ -109,6 +109,7 @@ void applyBaseline(const Baseline& baseline, std::string_view driverName, std::s
   for (const BaselineEntry& entry : baseline.entries) {
     if (!matches(entry, driverName, driverInfo, rulesName, result.id)) continue;
     if (result.verdict == Verdict::Same || result.verdict == Verdict::Allowed) {
+      if (result.id.starts_with(kInvariantPrefix) || result.id.starts_with("random")) return;  // a few random cases prove nothing mended
       result.baseline = BaselineStatus::Improved;
       result.baselineRule = entry.rule;
       result.baselineReason = entry.reason;

@@ -68,6 +68,10 @@ struct SceneResult {
   std::string baselineReason;  ///< of the entry: the driver's bug in a sentence
 };
 
+/// What the ids of invariants begin with, among those of scenes; and how many random cases `check` puts to a driver.
+inline constexpr std::string_view kInvariantPrefix = "invariant/";
+inline constexpr uint64_t kInvariantCases = 8;
+
 /// Planes that differ: "coverage", "depth" and names of varyings.
 [[nodiscard]] std::vector<std::string> differingPlanes(const SceneResult& result);
 

@@ -69,6 +69,10 @@ std::string explainCommand(const Report& report, const SceneEntry& entry) {
   if (result.verdict == Verdict::Crashed || result.verdict == Verdict::TimedOut) {
     return fmt::format("rasterdiff check {}{} --jobs 1", scene, driver);
   }
+  if (entry.address.starts_with(kInvariantPrefix)) {
+    if (result.verdict != Verdict::Differs) return {};
+    return fmt::format("rasterdiff invariants {}{} --count {}", shellQuoted(entry.address.substr(kInvariantPrefix.size())), driver, kInvariantCases);
+  }
   const std::string rules = " --rules " + shellQuoted(report.subject.rules);
   const auto command = [&](uint32_t x, uint32_t y, uint32_t sample) {
     return fmt::format("rasterdiff explain {} {} {} --sample {}{}{}", scene, x, y, sample, driver, rules);

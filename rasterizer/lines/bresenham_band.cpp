@@ -60,7 +60,7 @@ class IdealPixels {
   }
 
   /// Pixels of a column that the line may pass through. Where the rule produces no fragment, the one that is allowed
-  /// beyond its number can only be one of these.
+  /// beyond its number can only be one of these, or one pixel aside of it.
   [[nodiscard]] MinorSpan touchedInColumn(int64_t major) const {
     const int64_t low = std::min(ax_, bx_), high = std::max(ax_, bx_);
     const int64_t left = major * kSubpixelOne, right = left + kSubpixelOne;
@@ -141,7 +141,7 @@ class BresenhamBand final : public LineBand {
   /// A fragment one pixel aside of an ideal one, or one of the width - 1 that follow it in its column.
   [[nodiscard]] static bool mayProduce(const Variant& variant, int64_t major, int64_t minor) {
     const MinorSpan touched = variant.ideal.touchedInColumn(major);
-    if (touched.first <= touched.last && minor >= touched.first && minor < touched.last + variant.width) return true;
+    if (touched.first <= touched.last && minor >= touched.first - 1 && minor <= touched.last + variant.width) return true;
     for (int64_t column = major - 1; column <= major + 1; ++column) {
       const MinorSpan span = variant.ideal.inColumn(column);
       if (span.first <= span.last && minor >= span.first - 1 && minor <= span.last + variant.width) return true;

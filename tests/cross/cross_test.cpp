@@ -3,6 +3,7 @@
 
 #include "harness/compare/baseline.hpp"
 #include "harness/compare/compare.hpp"
+#include "harness/invariants/run.hpp"
 #include "scene/catalogue/catalogue.hpp"
 #include "scene/generators/random_triangles.hpp"
 #include "vkref/device.hpp"
@@ -55,6 +56,24 @@ class Drivers : public ::testing::Test {
     return std::move(*result);
   }
 
+  // Nothing is broken that is not known.
+  static void checkInvariants(const std::string& driver) {
+    const auto subject = harness::openSubject({.driver = driver});
+    ASSERT_TRUE(subject) << subject.error().what;
+    for (const harness::invariants::Invariant& invariant : harness::invariants::invariants()) {
+      const auto outcome = harness::invariants::run(invariant, **subject, 1, harness::kInvariantCases);
+      ASSERT_TRUE(outcome) << invariant.name << ": " << outcome.error().what;
+      EXPECT_GT(outcome->cases, 0U) << invariant.name;
+      if (!outcome->broken) continue;
+      SceneResult result;
+      result.id = std::string(harness::kInvariantPrefix) + std::string(invariant.name);
+      result.verdict = Verdict::Differs;
+      result.differing = outcome->brokenCases;
+      applyBaseline(harness::builtInBaseline(), (*subject)->name(), (*subject)->info(), "spec", result);
+      EXPECT_EQ(result.baseline, harness::BaselineStatus::ExpectedDiff) << invariant.name << ": " << outcome->broken->what;
+    }
+  }
+
   static void checkCatalogue(const Rules& rules, vkref::Device& device, int atLeast) {
     int compared = 0;
     for (const CatalogueEntry& entry : catalogue()) {
@@ -75,6 +94,11 @@ class Drivers : public ::testing::Test {
 };
 
 std::unique_ptr<vkref::Device> Drivers::lavapipe_, Drivers::swiftshader_;
+
+TEST_F(Drivers, KeepAllInvariantsButThoseKnownToBeBroken) {
+  checkInvariants("lavapipe");
+  checkInvariants("swiftshader");
+}
 
 TEST_F(Drivers, LavapipeIsTheSameUnderItsProfile) {
   checkCatalogue(Rules::forDriver(lavapipe_->driver().name, lavapipe_->limits()), *lavapipe_, 200);

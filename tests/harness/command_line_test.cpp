@@ -143,6 +143,17 @@ TEST(CommandLine, SummaryEndsWithTheVerdictWhereNothingDiffers) {
   EXPECT_EQ(outcome.err, "");
 }
 
+TEST(CommandLine, InvariantsArePartOfACheckAndABrokenOneFails) {
+  const Outcome holds = runProgram({"check", "invariant/*", "--driver", "fault:crash=nothing"});
+  EXPECT_EQ(holds.status, 0) << holds.out;
+  EXPECT_NE(holds.out.find("PASS: 14 scenes compared"), std::string::npos) << holds.out;
+  const Outcome broken = runProgram({"check", "fill/triangle-1x", "invariant/shared-edges-*", "--driver", "mutant:ties-covered-by-both"});
+  EXPECT_EQ(broken.status, 1) << broken.out;
+  EXPECT_NE(broken.out.find("Differs   invariant/shared-edges-list: broken in "), std::string::npos) << broken.out;
+  EXPECT_EQ(broken.lastErrorLine(), "rasterdiff invariants shared-edges-list --driver mutant:ties-covered-by-both --count 8");
+  EXPECT_EQ(runProgram({"check", "invariant/nothing"}).status, 2);
+}
+
 TEST(CommandLine, ADifferenceEndsWithTheCommandThatExplainsIt) {
   const Outcome check = runProgram({"check", "fill/*", "--driver", "mutant:half-pixel-shift"});
   EXPECT_EQ(check.status, 1) << check.out;

@@ -15,14 +15,14 @@ namespace rasterdiff::harness {
 namespace {
 
 /// One sample a pixel; row-major primitives.
-Frame frameOf(uint32_t width, uint32_t height, std::vector<uint32_t> primitives) {
+Frame frameOf(uint32_t width, uint32_t height, const std::vector<uint32_t>& primitives) {
   Frame frame;
   frame.width = width;
   frame.height = height;
   frame.primitive = Plane<uint32_t>(width, height, 1);
   frame.count = Plane<uint32_t>(width, height, 1);
   for (size_t i = 0; i < primitives.size(); ++i) frame.count.data[i] = primitives[i] > 0 ? 1 : 0;
-  frame.primitive.data = std::move(primitives);
+  frame.primitive.data.assign(primitives.begin(), primitives.end());
   return frame;
 }
 
