@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "rasterizer/choice_table.hpp"
+#include "rasterizer/cut_polygon.hpp"
 #include "rasterizer/fragment/alpha_to_coverage.hpp"
 #include "rasterizer/freedom_band.hpp"
 #include "rasterizer/interpolation.hpp"
@@ -110,6 +111,11 @@ class CandidateFinder {
         if (!band) band.emplace(primitive, scene_.state.cullMode, scene_.state.frontFace);
         const BandVerdict verdict = band->classifyExactly(px, py);
         if (verdict.coverage != Coverage::Out) add(q, primitive, pieceAt(primitive, px, py), verdict);
+        return;
+      }
+      if (primitive.folded) {
+        const std::optional<size_t> drawn = CutPolygon(primitive, rules_).pieceAt(px, py);
+        if (drawn && !primitive.pieces[*drawn].culled) add(q, primitive, &primitive.pieces[*drawn], {Coverage::In, Freedom::None, std::nullopt});
         return;
       }
       for (const SetupTriangle& piece : primitive.pieces) {

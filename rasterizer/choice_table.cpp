@@ -31,13 +31,19 @@ constexpr std::array<Names, 4> kOwner{"TopLeft", "TopRight", "BottomLeft", "Bott
 constexpr std::array<Names, 4> kSlanted{"LikeVertical", "AgainstVertical", "LikeHorizontal", "AgainstHorizontal"};
 constexpr std::array<Names, 2> kWinding{"Same", "OppositeIfCounterClockwise"};
 constexpr std::array<Names, 3> kClip{"Exact", "Float32Linear", "Float32Weighted"};
+constexpr std::array<Names, 3> kFill{"Polygon", "Fan", "Spans"};
+constexpr std::array<Names, 3> kCull{"Snapped", "AlsoFloat", "UncutFloat32"};
+constexpr std::array<Names, 3> kOutline{"Original", "Flagged", "Uncut"};
+constexpr std::array<Names, 2> kPointClip{"Volume", "SidesIgnored"};
+constexpr std::array<Names, 2> kRegion{"Scissor", "RoundedViewport"};
 constexpr std::array<Names, 3> kPoint{"Exact", "SnappedCentre", "ClipCorners"};
-constexpr std::array<Names, 2> kLine{"Exact", "Float32Corners"};
+constexpr std::array<Names, 3> kLine{"Exact", "Float32Corners", "ClipCorners"};
 constexpr std::array<Names, 2> kDiamond{"Vulkan", "Direct3D11"};
 constexpr std::array<Names, 4> kBiasUnit{"OneStep", "TwoSteps", "OneStepOfRange", "OneStepAndPercent"};
+constexpr std::array<Names, 2> kBiasExponent{"LargestDepth", "FirstDifferences"};
 constexpr std::array<Names, 2> kBiasSlope{"Larger", "Length"};
 constexpr std::array<Names, 3> kCentroid{"CentreOrFirst", "First", "Mean"};
-constexpr std::array<Names, 2> kPlanes{"Unsnapped", "Snapped"};
+constexpr std::array<Names, 3> kPlanes{"Unsnapped", "Snapped", "SnappedUncut"};
 constexpr std::array<Names, 4> kResolve{"Any", "RoundedOnce", "InOrder", "Pairwise"};
 
 template <auto Field>
@@ -54,10 +60,16 @@ constexpr std::array<ChoiceInfo, kChoices> kTable{
     row<&Choices::slantedTies>(Choice::SlantedTies, "slantedTies", "owner of slanted edges", kSlanted),
     row<&Choices::tieWinding>(Choice::TieWinding, "tieWinding", "ties by winding", kWinding),
     row<&Choices::clipArithmetic>(Choice::ClipArithmetic, "clipArithmetic", "vertices made by clipping", kClip),
+    row<&Choices::cutFill>(Choice::CutFill, "cutFill", "filling of cut polygons", kFill),
+    row<&Choices::cullPosition>(Choice::CullPosition, "cullPosition", "position of culling", kCull),
+    row<&Choices::cutOutline>(Choice::CutOutline, "cutOutline", "outlines of cut polygons", kOutline),
     row<&Choices::pointArithmetic>(Choice::PointArithmetic, "pointArithmetic", "square of a point", kPoint),
+    row<&Choices::pointClip>(Choice::PointClip, "pointClip", "points beyond the sides", kPointClip),
+    row<&Choices::drawingRegion>(Choice::DrawingRegion, "drawingRegion", "drawing region", kRegion),
     row<&Choices::lineArithmetic>(Choice::LineArithmetic, "lineArithmetic", "outline of a line", kLine),
     row<&Choices::diamondExit>(Choice::DiamondExit, "diamondExit", "border of the diamond", kDiamond),
     row<&Choices::depthBiasUnit>(Choice::DepthBiasUnit, "depthBiasUnit", "unit of depth bias", kBiasUnit),
+    row<&Choices::depthBiasExponent>(Choice::DepthBiasExponent, "depthBiasExponent", "unit of a float depth bias", kBiasExponent),
     row<&Choices::depthBiasSlope>(Choice::DepthBiasSlope, "depthBiasSlope", "slope of depth bias", kBiasSlope),
     row<&Choices::centroid>(Choice::Centroid, "centroid", "place of centroid inputs", kCentroid),
     row<&Choices::planePositions>(Choice::PlanePositions, "planePositions", "positions under values", kPlanes),
@@ -72,25 +84,32 @@ bool isLine(PrimitiveTopology topology) {
   return topology == PrimitiveTopology::LINE_LIST || topology == PrimitiveTopology::LINE_STRIP;
 }
 
-bool mayClip(const Scene& scene) {
-  for (const Draw& draw : scene.draws) {
-    if (draw.clipDistanceCount > 0) return true;
-    for (const ClipPosition& p : draw.positions) {
-      if (isOutside(p)) return true;
-    }
-  }
-  return false;
+bool drawsPoints(const State& state) {
+  return state.topology == PrimitiveTopology::POINT_LIST || state.polygonMode == PolygonMode::POINT;
+}
+
+bool mayLeaveRegion(const Scene& scene) {
+  const Viewport& v = scene.viewport;
+  const bool whole = v.x == 0 && v.y == 0 && v.width == static_cast<float>(scene.target.width) &&
+                     v.height == static_cast<float>(scene.target.height);
+  return scene.scissor.has_value() || !whole || !scene.furtherViewports.empty();
 }
 
 bool dependsOn(const Scene& scene, Choice choice) {
   const State& state = scene.state;
   switch (choice) {
     case Choice::ClipArithmetic: return mayClip(scene);
+    case Choice::CutFill: return state.polygonMode == PolygonMode::FILL && mayClip(scene);
+    case Choice::CullPosition: return state.cullMode != CullMode::NONE || mayClip(scene);
+    case Choice::CutOutline: return state.polygonMode != PolygonMode::FILL && mayClip(scene);
+    case Choice::PointClip: return drawsPoints(state) && mayClip(scene);
+    case Choice::DrawingRegion: return mayLeaveRegion(scene);
     case Choice::PointArithmetic:
-      return state.topology == PrimitiveTopology::POINT_LIST || state.polygonMode == PolygonMode::POINT;
+      return drawsPoints(state);
     case Choice::LineArithmetic:
     case Choice::DiamondExit: return isLine(state.topology) || state.polygonMode == PolygonMode::LINE;
     case Choice::DepthBiasUnit:
+    case Choice::DepthBiasExponent:
     case Choice::DepthBiasSlope: return state.depthBiasEnable;
     case Choice::Centroid:          // opens values, not coverage
     case Choice::PlanePositions:    // widens their intervals where they are computed
@@ -101,6 +120,16 @@ bool dependsOn(const Scene& scene, Choice choice) {
 }
 
 }  // namespace
+
+bool mayClip(const Scene& scene) {
+  for (const Draw& draw : scene.draws) {
+    if (draw.clipDistanceCount > 0) return true;
+    for (const ClipPosition& p : draw.positions) {
+      if (isOutside(p)) return true;
+    }
+  }
+  return false;
+}
 
 std::span<const ChoiceInfo> choiceTable() { return kTable; }
 

@@ -21,10 +21,16 @@ enum class Choice : uint8_t {
   SlantedTies,
   TieWinding,
   ClipArithmetic,
+  CutFill,
+  CullPosition,
+  CutOutline,
   PointArithmetic,
+  PointClip,
+  DrawingRegion,
   LineArithmetic,
   DiamondExit,
   DepthBiasUnit,
+  DepthBiasExponent,
   DepthBiasSlope,
   Centroid,
   PlanePositions,
@@ -50,6 +56,9 @@ struct ChoiceInfo {
 
 [[nodiscard]] constexpr uint32_t bitOf(Choice choice) { return 1U << static_cast<unsigned>(choice); }
 [[nodiscard]] inline bool isOpen(const Rules& rules, Choice choice) { return (rules.openChoices & bitOf(choice)) != 0; }
+
+/// Is some vertex outside of the view volume, or are there clip distances?
+[[nodiscard]] bool mayClip(const Scene& scene);
 
 /// The rules by which a scene is judged: where it depends on a choice that the profile leaves open, the specification's
 /// (for inputs' places within a fragment: open values); else the profile as it is.

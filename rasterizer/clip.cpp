@@ -44,13 +44,21 @@ ClipVertex mixed(const ClipVertex& base, const ClipVertex& other, T t, const Mix
   for (size_t i = 0; i < kMaxDistances; ++i) {
     vertex.distances[i] = mix(static_cast<T>(base.distances[i]), static_cast<T>(other.distances[i]));
   }
-  // Parameter on the screen of a point that is at t in clip space.
-  const double tLinear = static_cast<double>(t) * other.position[3] / vertex.position[3];
   for (size_t i = 0; i < 3; ++i) {
     vertex.smoothWeights[i] = base.smoothWeights[i] + static_cast<double>(t) * (other.smoothWeights[i] - base.smoothWeights[i]);
-    vertex.linearWeights[i] = base.linearWeights[i] + tLinear * (other.linearWeights[i] - base.linearWeights[i]);
   }
   return vertex;
+}
+
+// Weights on the screen from those in clip space: bᵢ = sᵢ wᵢ / Σ sⱼ wⱼ. Not carried along while cutting, since a vertex that
+// is cut away again may have any w.
+void weighOnScreen(ClipPolygon& polygon, std::span<const ClipInput> corners) {
+  for (ClipVertex& vertex : std::span(polygon.vertices).first(static_cast<size_t>(polygon.size))) {
+    if (!vertex.made) continue;
+    double sum = 0;
+    for (size_t i = 0; i < corners.size(); ++i) sum += vertex.linearWeights[i] = vertex.smoothWeights[i] * double{corners[i].position.w};
+    for (size_t i = 0; i < corners.size(); ++i) vertex.linearWeights[i] /= sum;
+  }
 }
 
 // base + t (other - base), coordinate by coordinate.
@@ -74,8 +82,9 @@ ClipVertex crossing(const ClipVertex& inside, T dIn, const ClipVertex& outside, 
   return between<T>(inside, outside, dIn / (dIn - dOut));
 }
 
-// `meet`: the crossing of an edge, given its inner end with its distance, then its outer end.
-template <class T, class Meet>
+// `meet`: the crossing of an edge, given its inner end with its distance, then its outer end. kAtVertex: an edge that comes in
+// through a vertex on the plane has a crossing there, too.
+template <class T, bool kAtVertex, class Meet>
 bool clipAgainst(int plane, const ClipVolume& volume, const ClipPolygon& in, ClipPolygon& out, const Meet& meet) {
   out.size = 0;
   const ClipVertex* previous = &in.vertices[0];
@@ -92,7 +101,7 @@ bool clipAgainst(int plane, const ClipVolume& volume, const ClipPolygon& in, Cli
     };
     if (dPrevious >= 0) append(*previous, previous->outlined);
     if (dPrevious >= 0 && d < 0) append(meet(*previous, dPrevious, vertex, d), plane >= kVolumePlanes);
-    if (dPrevious < 0 && d >= 0) append(meet(vertex, d, *previous, dPrevious), previous->outlined);
+    if (dPrevious < 0 && (d > 0 || (kAtVertex && d == 0))) append(meet(vertex, d, *previous, dPrevious), previous->outlined);
     previous = &vertex;
     dPrevious = d;
   }
@@ -101,9 +110,9 @@ bool clipAgainst(int plane, const ClipVolume& volume, const ClipPolygon& in, Cli
 
 bool clipAgainst(ClipArithmetic arithmetic, int plane, const ClipVolume& volume, const ClipPolygon& in, ClipPolygon& out) {
   switch (arithmetic) {
-    case ClipArithmetic::Exact: return clipAgainst<double>(plane, volume, in, out, crossing<double>);
-    case ClipArithmetic::Float32Linear: return clipAgainst<float>(plane, volume, in, out, crossing<float>);
-    case ClipArithmetic::Float32Weighted: return clipAgainst<float>(plane, volume, in, out, weighted);
+    case ClipArithmetic::Exact: return clipAgainst<double, true>(plane, volume, in, out, crossing<double>);
+    case ClipArithmetic::Float32Linear: return clipAgainst<float, true>(plane, volume, in, out, crossing<float>);
+    case ClipArithmetic::Float32Weighted: return clipAgainst<float, false>(plane, volume, in, out, weighted);
   }
   return false;
 }
@@ -208,8 +217,25 @@ ClipOutcome clipTriangle(std::span<const ClipInput, 3> triangle, ClipArithmetic 
     }
     std::swap(polygon, other);
   }
+  weighOnScreen(polygon, triangle);
   if (volume.error != DeliberateError::None) mistakeClipped(polygon, volume.error, any >> kVolumePlanes != 0);
   return ClipOutcome::Cut;
+}
+
+void clipPolygon(std::span<const ClipPosition> corners, ClipArithmetic arithmetic, const ClipVolume& volume, ClipPolygon& polygon) {
+  polygon.size = 0;
+  for (const ClipPosition& p : corners) {
+    ClipVertex& vertex = polygon.vertices[static_cast<size_t>(polygon.size++)];
+    vertex = {};
+    vertex.position = {p.x, p.y, p.z, p.w};
+  }
+  ClipPolygon other;
+  for (int step = 0; step < kVolumePlanes && polygon.size >= 3; ++step) {
+    const int plane = planeInOrder(arithmetic, step);
+    if (!volume.nearAndFar && (plane == Near || plane == Far)) continue;
+    if (!clipAgainst(arithmetic, plane, volume, polygon, other)) other.size = 0;
+    std::swap(polygon, other);
+  }
 }
 
 ClipOutcome clipLine(std::span<const ClipInput, 2> line, ClipArithmetic arithmetic, const ClipVolume& volume,
@@ -227,6 +253,7 @@ ClipOutcome clipLine(std::span<const ClipInput, 2> line, ClipArithmetic arithmet
   } else {
     clipEnds<double>(first | second, volume, polygon);
   }
+  weighOnScreen(polygon, line);
   if (volume.error != DeliberateError::None) mistakeClipped(polygon, volume.error, (first | second) >> kVolumePlanes != 0);
   return ClipOutcome::Cut;
 }

@@ -60,6 +60,10 @@ inline constexpr unsigned kSideMask = 0xF;  ///< +x, -x, +y, -y
 [[nodiscard]] ClipOutcome clipTriangle(std::span<const ClipInput, 3> triangle, ClipArithmetic arithmetic,
                                        const ClipVolume& volume, ClipPolygon& polygon);
 
+/// Clips a convex polygon of at most 8 corners, whose weights do not count, by every plane; `polygon` has fewer than 3
+/// vertices where nothing is left. User distances are not looked at.
+void clipPolygon(std::span<const ClipPosition> corners, ClipArithmetic arithmetic, const ClipVolume& volume, ClipPolygon& polygon);
+
 /// Clips a line; `polygon` gets its 2 vertices (0: nothing is left).
 [[nodiscard]] ClipOutcome clipLine(std::span<const ClipInput, 2> line, ClipArithmetic arithmetic, const ClipVolume& volume,
                                    ClipPolygon& polygon);

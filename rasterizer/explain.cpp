@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "rasterizer/choice_table.hpp"
+#include "rasterizer/cut_polygon.hpp"
 #include "rasterizer/figure_rules.hpp"
 #include "rasterizer/fragment_replay.hpp"
 #include "rasterizer/freedom_band.hpp"
@@ -133,6 +134,10 @@ class Explainer {
       inside = inside && piece.edges[i].covers(p.x, p.y);
       touched = touched && e.edges[i].value >= 0;
       tie = tie || e.edges[i].value == 0;
+    }
+    if (primitive.folded) {
+      const std::optional<size_t> drawn = CutPolygon(primitive, rules_).pieceAt(p.x, p.y);
+      inside = drawn && &primitive.pieces[*drawn] == &piece;
     }
     settle(e, primitive, piece, inside && !piece.culled);
     if (rules_.open) allow(e, FreedomBand(primitive, scene_.state.cullMode, scene_.state.frontFace).classifyExactly(p.x, p.y));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rasterizer/lines/clip_corner_line.hpp"
 #include "rasterizer/lines/line_coverage.hpp"
 #include "rasterizer/lines/line_shape.hpp"
 #include "rasterizer/lines/stipple.hpp"
@@ -36,6 +37,13 @@ size_t flaggedOrder(bool cut, ProvokingVertexMode mode, size_t n, size_t k) {
 // Which triangle (0, i + 1, i + 2) of a fan over n corners edge i, and corner i, belong to.
 size_t fanTriangleOf(size_t i, size_t n) { return i == 0 ? 0 : i == n - 1 ? n - 3 : i - 1; }
 
+// From those of an edge's two ends to those of the triangle whose edge `k` it is.
+void turnWeights(RasterVertex& vertex, size_t k) {
+  for (std::array<double, 3>* weights : {&vertex.smoothWeights, &vertex.linearWeights}) {
+    std::rotate(weights->begin(), weights->end() - static_cast<std::ptrdiff_t>(k), weights->end());
+  }
+}
+
 // A deliberate error: the last end goes a pixel on along the line.
 void lengthen(RasterVertex& b, const RasterVertex& a) {
   const double dx = b.position.x - a.position.x, dy = b.position.y - a.position.y;
@@ -66,7 +74,7 @@ bool FigureMaker::pointSurvives(const ClipInput& vertex) {
   const unsigned code = outcode(vertex, volume_);
   if (code == 0) return true;
   ++counts_[Rule::PointClip];
-  if (rules_.choices.pointClip == PointClip::SidesIgnored && scene_.furtherViewports.empty()) {
+  if (rules_.choices.pointClip == PointClip::SidesIgnored) {
     return (code & ~kSideMask) == 0 && vertex.position.w > 0 && std::isfinite(vertex.position.x) && std::isfinite(vertex.position.y);
   }
   const bool onlyUserPlanes = rules_.limits.pointClippingBehavior == PointClippingBehavior::USER_CLIP_PLANES_ONLY;
@@ -90,11 +98,16 @@ void FigureMaker::addPoint(Primitive& primitive, const ClipVertex& clip, RasterV
   primitive.figures.push_back(std::move(figure));
 }
 
-void FigureMaker::makePoint(Primitive& primitive, const ClipInput& vertex) {
+void FigureMaker::makePoint(Primitive& primitive, const ClipInput& vertex) { makeCorner(primitive, vertex, 0); }
+
+void FigureMaker::makeCorner(Primitive& primitive, const ClipInput& vertex, size_t k) {
+  if (primitive.assembled.count == 3) ++counts_[Rule::PolygonMode];
   if (!pointSurvives(vertex)) return;
   if (vertex.position.w <= 0) return;
-  const PointSize size = pointSizeOf(primitive.assembled.vertices[0]);
-  const RasterVertex raster = stage_.original(vertex.position);
+  const PointSize size = pointSizeOf(primitive.assembled.vertices[k]);
+  RasterVertex raster = stage_.original(vertex.position);
+  raster.smoothWeights = raster.linearWeights = {};
+  raster.smoothWeights[k] = raster.linearWeights[k] = 1;
   if (rules_.error == DeliberateError::PointClippedByExtent) {
     const Viewport& v = scene_.viewport;
     const double half = size.nominal / 2, low = std::min(v.y, v.y + v.height), high = std::max(v.y, v.y + v.height);
@@ -139,7 +152,8 @@ void FigureMaker::addLine(Primitive& primitive, const LineEnds& ends, bool ofPol
   figure.size = style.width;
   figure.optional = optional;
   figure.cutsItself = rules_.choices.lineArithmetic == LineArithmetic::Float32Corners;
-  figure.shape = makeLineShape(ends, style, rules_);
+  const bool clipCorners = rules_.choices.lineArithmetic == LineArithmetic::ClipCorners && !rules_.open && !style.stipple.enabled;
+  figure.shape = clipCorners ? makeClipCornerLine(ends.clip, style, stage_, volume_) : makeLineShape(ends, style, rules_);
   if (style.stipple.enabled) {
     stipple_ = stippleAfter(ends, style, rules_);
     style.stipple.enabled = false;
@@ -148,7 +162,14 @@ void FigureMaker::addLine(Primitive& primitive, const LineEnds& ends, bool ofPol
   if (figure.shape != nullptr) primitive.figures.push_back(std::move(figure));
 }
 
-void FigureMaker::makeLine(Primitive& primitive, const ClipInput& a, const ClipInput& b) {
+void FigureMaker::makeLine(Primitive& primitive, const ClipInput& a, const ClipInput& b) { makeLine(primitive, a, b, 0, false); }
+
+void FigureMaker::makeEdge(Primitive& primitive, const ClipInput& a, const ClipInput& b, size_t k) {
+  if (k == 0) ++counts_[Rule::PolygonMode];
+  makeLine(primitive, a, b, k, true);
+}
+
+void FigureMaker::makeLine(Primitive& primitive, const ClipInput& a, const ClipInput& b, size_t corner, bool ofPolygon) {
   const bool restarts = !primitive.assembled.continuesLine || rules_.error == DeliberateError::StippleStripRestarts;
   if (restarts && rules_.error != DeliberateError::StippleNotReset) stipple_ = {};
   const std::array<ClipInput, 2> line{a, b};
@@ -161,8 +182,11 @@ void FigureMaker::makeLine(Primitive& primitive, const ClipInput& a, const ClipI
     if (rules_.error == DeliberateError::LineClipDrops) return;
     if (a.position.w > 0 && b.position.w > 0) ends.uncut = {stage_.original(a.position), stage_.original(b.position)};
   }
-  const bool uncut = rules_.variation && rules_.variation->linesUncut && ends.uncut;
-  ends.removed = uncut || clipped.size < 2 || clipped.vertices[0].position[3] <= 0 || clipped.vertices[1].position[3] <= 0;
+  ends.clip = {a.position, b.position};
+  const bool cutsOutline = rules_.choices.lineArithmetic == LineArithmetic::ClipCorners && ends.uncut;
+  const bool nothingLeft = clipped.size < 2 || clipped.vertices[0].position[3] <= 0 || clipped.vertices[1].position[3] <= 0;
+  const bool uncut = ends.uncut && ((rules_.variation && rules_.variation->linesUncut) || (cutsOutline && nothingLeft));
+  ends.removed = uncut || nothingLeft;
   if (ends.removed && !uncut && (!rules_.open || !ends.uncut)) return;
   if (!ends.removed) {
     ends.a = stage_.clipped(clipped.vertices[0]);
@@ -176,7 +200,11 @@ void FigureMaker::makeLine(Primitive& primitive, const ClipInput& a, const ClipI
     if (uncut) ends.removed = false;
   }
   if (rules_.error == DeliberateError::LineEndIncluded) lengthen(ends.b, ends.a);
-  addLine(primitive, ends, false, false);
+  if (ofPolygon) {
+    turnWeights(ends.a, corner);
+    turnWeights(ends.b, corner);
+  }
+  addLine(primitive, ends, ofPolygon, false);
 }
 
 PointSize FigureMaker::cornerSize(const Primitive& primitive, const RasterVertex& corner) const {
@@ -207,6 +235,7 @@ void FigureMaker::makeOutline(Primitive& primitive, const ClipPolygon& polygon, 
     LineEnds ends;
     ends.a = a;
     ends.b = b;
+    ends.clip = {rounded(polygon.vertices[i]), rounded(polygon.vertices[(i + 1) % n])};
     ends.floatA = floatPosition(stage_, polygon.vertices[i]);
     ends.floatB = floatPosition(stage_, polygon.vertices[(i + 1) % n]);
     const bool wanted = flagged ? polygon.vertices[i].outlined : !primitive.cut || onOriginalEdge(a, b);

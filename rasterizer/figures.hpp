@@ -18,6 +18,9 @@ class FigureMaker {
   /// Fills primitive.figures; none where nothing can be drawn.
   void makePoint(Primitive& primitive, const ClipInput& vertex);
   void makeLine(Primitive& primitive, const ClipInput& a, const ClipInput& b);
+  /// The corner or edge `k` of a triangle as a point or line of its own. [choice:cut-outline]
+  void makeCorner(Primitive& primitive, const ClipInput& vertex, size_t k);
+  void makeEdge(Primitive& primitive, const ClipInput& a, const ClipInput& b, size_t k);
   /// A triangle in polygon mode LINE or POINT, from its polygon after clipping. `culled`: bits of the fan's triangles whose
   /// share of edges and corners is left out.
   void makeOutline(Primitive& primitive, const ClipPolygon& polygon, uint32_t culled);
@@ -27,6 +30,7 @@ class FigureMaker {
   void addPoint(Primitive& primitive, const ClipVertex& clip, RasterVertex vertex, const PointSize& size,
                 bool optional);
   void addLine(Primitive& primitive, const LineEnds& ends, bool ofPolygon, bool optional);
+  void makeLine(Primitive& primitive, const ClipInput& a, const ClipInput& b, size_t first, bool ofPolygon);
   [[nodiscard]] PointSize pointSizeOf(uint32_t vertex) const;
   /// Sizes of a made corner are interpolated as any other output is.
   [[nodiscard]] PointSize cornerSize(const Primitive& primitive, const RasterVertex& corner) const;

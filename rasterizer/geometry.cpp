@@ -6,6 +6,7 @@
 #include "rasterizer/figures.hpp"
 #include "rasterizer/piece_maker.hpp"
 #include "rasterizer/target_area.hpp"
+#include "rasterizer/uncut_triangle.hpp"
 #include "rasterizer/vertex_stage.hpp"
 
 namespace rasterdiff::rasterizer {
@@ -51,7 +52,7 @@ class DrawGeometry {
       primitive_.polygon.clear();
       primitive_.pieces.clear();
       primitive_.figures.clear();
-      primitive_.cut = primitive_.cutByDistance = primitive_.unprojectable = false;
+      primitive_.cut = primitive_.cutByDistance = primitive_.unprojectable = primitive_.folded = primitive_.reversed = false;
       primitive_.frontFacing = true;
       for (size_t k = 0; k < 3; ++k) primitive_.clip[k] = draw_.positions[assembled.vertices[k]];
       if (culledByDistance()) {
@@ -102,6 +103,9 @@ class DrawGeometry {
     const unsigned any = code(0) | code(1) | code(2);
     primitive_.cut = any != 0;
     countUnclippedDepth();
+    if (scene_.state.polygonMode != PolygonMode::FILL && !rules_.open && rules_.choices.cutOutline == CutOutline::Uncut) {
+      return uncutOutline();
+    }
     if (primitive_.cut) {
       if (rules_.error == DeliberateError::FlatAfterCut) primitive_.assembled.provoking = assembled.vertices[1];
       primitive_.cutByDistance = (any >> kVolumePlanes) != 0;
@@ -118,7 +122,9 @@ class DrawGeometry {
         return;
       }
     }
-    pieceMaker_.makePieces(primitive_);
+    std::optional<float> uncutArea;
+    if (rules_.choices.cullPosition == CullPosition::UncutFloat32) uncutArea = uncutDoubleArea<float>(primitive_.clip, stage_);
+    pieceMaker_.makePieces(primitive_, uncutArea);
     if (!primitive_.cut) takeWholeAsClipped();
     if (rules_.choices.cullPosition == CullPosition::AlsoFloat && someClipped_) {
       for (SetupTriangle& piece : primitive_.pieces) piece.culled = piece.culled || pieceMaker_.isCulled(areaInFloat(piece.corner, piece.flipped));
@@ -185,6 +191,26 @@ class DrawGeometry {
       }
     }
     return culled;
+  }
+
+  // [choice:cut-outline] edges or corners of the triangle, each clipped for itself.
+  void uncutOutline() {
+    const bool corners = scene_.state.polygonMode == PolygonMode::POINT;
+    if (rules_.choices.cullPosition == CullPosition::UncutFloat32) {
+      const float area = corners ? clipDeterminant(primitive_.clip) : uncutDoubleArea<float>(primitive_.clip, stage_);
+      primitive_.frontFacing = pieceMaker_.isFront(static_cast<double>(area)) || (area == 0 && !corners);
+    } else {
+      primitive_.frontFacing = pieceMaker_.isFront(uncutDoubleArea<double>(primitive_.clip, stage_));
+    }
+    if (pieceMaker_.isFaceCulled(primitive_.frontFacing)) return;
+    const auto& v = primitive_.assembled.vertices;
+    for (size_t i = 0; i < 3; ++i) {
+      if (corners) {
+        figureMaker_.makeCorner(primitive_, input(v[i]), i);
+      } else {
+        figureMaker_.makeEdge(primitive_, input(v[i]), input(v[(i + 1) % 3]), i);
+      }
+    }
   }
 
   // [vk:primsrast-polygonmode] edges or corners of what clipping and culling left.

@@ -60,6 +60,8 @@ struct Primitive {
   std::array<ClipPosition, 3> clip;
   bool cut = false;
   bool cutByDistance = false;  ///< by a clip distance among others
+  bool folded = false;         ///< snapping folded the cut polygon: CutPolygon decides for all pieces together
+  bool reversed = false;       ///< folded: it runs counter-clockwise on the screen, as far as facing is concerned
   bool unprojectable = false;  ///< some w is 0: no polygon, and no sample of the target is certain (open rules)
   std::vector<RasterVertex> polygon;
   std::vector<SetupTriangle> pieces;  ///< filled triangles

@@ -8,6 +8,7 @@
 #include "rasterizer/lines/line_style.hpp"
 #include "rasterizer/sample_pattern.hpp"
 #include "rasterizer/shape.hpp"
+#include "rasterizer/uncut_triangle.hpp"
 
 namespace rasterdiff::rasterizer {
 namespace {
@@ -23,6 +24,33 @@ Interval largestDepth(const RasterVertex* const* vertices, size_t count) {
     largest = {std::max(largest.value, z), std::max(largest.lo, z - error), std::max(largest.hi, z + error)};
   }
   return largest;
+}
+
+// May, or must, the planes of cut triangles be those of the uncut ones?
+bool takesUncut(const Rules& rules) {
+  const bool varies = rules.variation && rules.variation->uncutCorners;
+  return rules.open || varies || isOpen(rules, Choice::PlanePositions) || rules.choices.planePositions == PlanePositions::SnappedUncut;
+}
+
+// [choice:depth-bias-exponent] The vertices are rotated: the smallest y comes first, then the largest w.
+Interval firstDifferences(const Primitive& primitive) {
+  const auto& clip = primitive.clip;
+  std::array<size_t, 3> order{0, 1, 2};
+  const auto bring = [&order](const std::array<bool, 3>& wanted) {
+    if (wanted[1]) std::rotate(order.begin(), order.begin() + 1, order.end());
+    if (wanted[2]) std::rotate(order.begin(), order.begin() + 2, order.end());
+  };
+  const float top = std::min({clip[0].y, clip[1].y, clip[2].y});
+  bring({false, clip[1].y == top, clip[2].y == top});
+  const auto w = [&](size_t i) { return clip[order[i]].w; };
+  const float farthest = std::max({w(0), w(1), w(2)});
+  bring({false, w(1) == farthest, w(2) == farthest});
+  const auto scale = static_cast<float>(primitive.viewport.z.scale), offset = static_cast<float>(primitive.viewport.z.offset());
+  const auto depth = [&](size_t i) { return clip[order[i]].z * (1.0F / clip[order[i]].w); };
+  const float first = depth(0);
+  float largest = std::fabs(first * scale + offset);
+  for (size_t i = 1; i < 3; ++i) largest = std::max(largest, std::fabs((depth(i) - first) * scale + offset));
+  return {largest, largest, largest};
 }
 
 }  // namespace
@@ -44,8 +72,9 @@ PieceValues::PieceValues(const Scene& scene, const SceneNeeds& needs, const Rule
   planes_.inputs.resize(inputs_.size());
   constants_.resize(inputs_.size());
   const bool elsewhere = inputs_.anyAt(Location::Centroid) || inputs_.anyAt(Location::Sample) || inputs_.anyAt(Location::Offset);
-  mayWait_ = !elsewhere && !builtIns_.any() && !perSample_ && !needsMask_ && !rules.variation &&
-             rules.error == DeliberateError::None && (!needs.depth || plainDepth_);
+  atCentre_ = !elsewhere && !builtIns_.any() && !perSample_ && !needsMask_ && !rules.variation &&
+              rules.error == DeliberateError::None && (!needs.depth || plainDepth_);
+  mayWait_ = atCentre_ && !(takesUncut(rules) && mayClip(scene));
 }
 
 bool PieceValues::setUpCurrent(const Primitive& primitive, const SetupTriangle* piece, const Figure* figure) {
@@ -56,14 +85,15 @@ bool PieceValues::setUpCurrent(const Primitive& primitive, const SetupTriangle* 
   varied_.reset();
   freeDepth_ = false;
   alternative_.reset();
+  uncut_.reset();
   return needsDepth_ || componentCount() > 0;
 }
 
 // [choice:plane-positions]
-TrianglePlane PieceValues::planeOf(const std::array<const RasterVertex*, 3>& v) const {
+TrianglePlane PieceValues::planeOf(const Corners& v) const {
   std::array<FramebufferPosition, 3> corners;
   double deviation = 0;
-  const bool snaps = rules_.choices.planePositions == PlanePositions::Snapped && !rules_.open;
+  const bool snaps = rules_.choices.planePositions != PlanePositions::Unsnapped && !rules_.open;
   const bool either = isOpen(rules_, Choice::PlanePositions) && !rules_.open;
   for (size_t i = 0; i < 3; ++i) {
     corners[i] = v[i]->position;
@@ -79,28 +109,57 @@ TrianglePlane PieceValues::planeOf(const std::array<const RasterVertex*, 3>& v) 
   return {corners, deviation};
 }
 
-void PieceValues::setUp(const Primitive& primitive, const SetupTriangle& piece) {
-  if (!setUpCurrent(primitive, &piece, nullptr)) return;
-  const std::array<const RasterVertex*, 3> v{&primitive.polygon[piece.corner[0]], &primitive.polygon[piece.corner[1]],
-                                             &primitive.polygon[piece.corner[2]]};
-  const TrianglePlane plane = planeOf(v);
-  fillPlanes(v, planes_, [&plane](const std::array<double, 3>& values, double inputError, double outside) {
+// [vk:primsrast-polygons] A device need not cut what it can draw: the planes may be those of the whole triangle.
+void PieceValues::findUncut(const Primitive& primitive) {
+  if (!primitive.cut || !takesUncut(rules_)) return;
+  uncut_ = uncutVertices(primitive.clip, {rules_, primitive.viewport, location_.samples()});
+}
+
+Gradient PieceValues::setUpPlanes(const Corners& v, const TrianglePlane& plane, ValuePlanes& planes) {
+  planes.inputs.resize(inputs_.size());
+  fillPlanes(v, planes, [&plane](const std::array<double, 3>& values, double inputError, double outside) {
     return plane.through(values, inputError, outside);
   });
+  if (!depthStage_.needsBias()) return {};
+  return plane.gradient({v[0]->position.z, v[1]->position.z, v[2]->position.z},
+                        std::max({v[0]->depthError, v[1]->depthError, v[2]->depthError}));
+}
+
+void PieceValues::setUp(const Primitive& primitive, const SetupTriangle& piece) {
+  if (!setUpCurrent(primitive, &piece, nullptr)) return;
+  const Corners v{&primitive.polygon[piece.corner[0]], &primitive.polygon[piece.corner[1]], &primitive.polygon[piece.corner[2]]};
+  findUncut(primitive);
+  Gradient slope;
+  const bool onlyUncut = uncut_ && !rules_.open && rules_.choices.planePositions == PlanePositions::SnappedUncut;
+  if (!onlyUncut) slope = setUpPlanes(v, planeOf(v), planes_);
+  if (uncut_) {
+    const Corners whole{&(*uncut_)[0], &(*uncut_)[1], &(*uncut_)[2]};
+    std::array<FramebufferPosition, 3> corners;
+    double deviation = 0;
+    for (size_t i = 0; i < 3; ++i) {
+      corners[i] = whole[i]->position;
+      deviation = std::max(deviation, whole[i]->deviation);
+    }
+    TrianglePlane plane(corners, deviation);
+    plane.reachTo(primitive.polygon);
+    const Gradient other = setUpPlanes(whole, plane, onlyUncut ? planes_ : alternative_.emplace());
+    const double apart = std::max(std::fabs(other.dx - slope.dx), std::fabs(other.dy - slope.dy));
+    slope = onlyUncut ? other : Gradient{slope.dx, slope.dy, std::max(slope.radius, apart + other.radius)};
+  }
   if (rules_.variation) varyTriangle(v);
   inputs_.fillFlat(primitive, constants_);
   builtIns_.setUp(primitive, piece);
-  if (depthStage_.isPlain()) return;
   depthStage_.setUp(primitive);
   if (!depthStage_.needsBias()) return;
-  BiasInputs inputs{plane.gradient({v[0]->position.z, v[1]->position.z, v[2]->position.z},
-                                   std::max({v[0]->depthError, v[1]->depthError, v[2]->depthError})),
-                    largestDepth(v.data(), 3)};
+  BiasInputs inputs{slope, largestDepth(v.data(), 3)};
   if (primitive.cut && rules_.open) {
     // The bias of a cut polygon is one number; of its pieces, if a device treats them as triangles, one each.
     for (const RasterVertex& vertex : primitive.polygon) {
       inputs.largestDepth.hi = std::max(inputs.largestDepth.hi, std::fabs(vertex.position.z) + vertex.depthError);
     }
+  }
+  if (rules_.choices.depthBiasExponent == DepthBiasExponent::FirstDifferences && !rules_.open) {
+    inputs.largestDepth = firstDifferences(primitive);
   }
   depthStage_.setBias(inputs);
 }
@@ -220,7 +279,7 @@ Interpolated PieceValues::depth(double x, double y) const {
     const double z = varied_->depth.at({static_cast<float>(x), static_cast<float>(y)});
     return depthStage_.stored({z, z, z});
   }
-  if (figure_ == nullptr && plainDepth_) return toFloat(linearOver(planes_.depth, there));
+  if (figure_ == nullptr && plainDepth_ && !uncut_) return toFloat(linearOver(planes_.depth, there));
   if (!freeDepth_) return depthStage_.stored(depthOver(there));
   // [vk:primsrast-lines-basic] a line's data are evaluated at the centre or at a sample of the fragment.
   const FragmentPlace place{static_cast<int32_t>(std::floor(x)), static_cast<int32_t>(std::floor(y)), 0, 0};
@@ -260,11 +319,11 @@ void PieceValues::fragmentAtCentre(const FragmentPlace& place, Interpolated* out
 
 void PieceValues::fragment(const FragmentPlace& place, Interpolated* out) {
   if (varied_) return variedFragment(place, out);
-  if (mayWait_ && figure_ == nullptr) {
+  if (atCentre_ && figure_ == nullptr && !alternative_) {
     return location_.areaIsFree() ? fragmentAtCentre<5>(place, out) : fragmentAtCentre<1>(place, out);
   }
   const EvaluationRegion centre = location_.around(centreOf(place), centreStorage_);
-  const bool triangle = figure_ == nullptr;
+  const bool triangle = figure_ == nullptr && !alternative_;
   const Denominator<4> denominator(planes_.reciprocalW, centre);  // of the many that are evaluated around the centre
   for (size_t c = 0; c < inputs_.size(); ++c) {
     const Component& component = inputs_[c];

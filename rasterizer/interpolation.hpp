@@ -62,9 +62,14 @@ class PieceValues {
   /// Fills `planes` with what `make(values at the corners or ends, inputError, outside)` makes of each value.
   template <size_t kVertices, class Planes, class Make>
   void fillPlanes(const std::array<const RasterVertex*, kVertices>& vertices, Planes& planes, const Make& make);
-  [[nodiscard]] TrianglePlane planeOf(const std::array<const RasterVertex*, 3>& vertices) const;
+  using Corners = std::array<const RasterVertex*, 3>;
+  [[nodiscard]] TrianglePlane planeOf(const Corners& vertices) const;
+  /// Fills uncut_.
+  void findUncut(const Primitive& primitive);
+  /// Returns the gradient of depth, if a bias needs it.
+  Gradient setUpPlanes(const Corners& vertices, const TrianglePlane& plane, ValuePlanes& planes);
   /// What a legal renderer (Rules::variation) does instead.
-  void varyTriangle(const std::array<const RasterVertex*, 3>& vertices);
+  void varyTriangle(Corners vertices);
   void varyLine(const Figure& figure, bool majorAxis);
   [[nodiscard]] Interval varied(size_t component, Spot spot) const;
   template <size_t kSpots>
@@ -87,6 +92,7 @@ class PieceValues {
   BuiltInValues builtIns_;
   DepthStage depthStage_;
   bool perSample_ = false, needsMask_ = false, needsW_ = false, needsDepth_ = false;
+  bool atCentre_ = false;  ///< all inputs are evaluated there, and nothing else is asked for
   bool mayWait_ = false;
   bool plainDepth_ = false;        ///< of a triangle: nothing to do but to round
   bool perspectiveDepth_ = false;  ///< a deliberate error
@@ -95,7 +101,8 @@ class PieceValues {
   ValuePlanes planes_;
   std::vector<float> constants_;           ///< of flat components, and of all components at a point
   std::optional<FloatPlanes> varied_;      ///< of a legal renderer: evaluated instead of planes_
-  std::optional<ValuePlanes> alternative_; ///< another legal parameter of a line (open rules)
+  std::optional<ValuePlanes> alternative_; ///< another legal parameter of a line, or the planes of the uncut triangle
+  std::optional<std::array<RasterVertex, 3>> uncut_;  ///< of a cut triangle, where its planes may go through them
   bool atPoint_ = false;
   bool freeDepth_ = false;  ///< a line's depth may be that of the centre or of any sample
   const Primitive* primitive_ = nullptr;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "rasterizer/choice_table.hpp"
 #include "rasterizer/drawing_region.hpp"
 #include "rasterizer/kernels/value_kernel.hpp"
 #include "scene/needs.hpp"
@@ -50,6 +51,7 @@ bool sameLocations(std::span<const SampleLocation> locations, std::span<const Su
 std::optional<KernelCoverage> KernelCoverage::of(const Scene& scene, const Rules& rules, std::span<const SubpixelPosition> pattern) {
   const bool ruled = !rules.open && rules.error == DeliberateError::None && !rules.variation && ownsTopLeft(rules.choices);
   if (!ruled || !needsCoverageOnly(scene) || !drawsManyTriangles(scene) || !onlyTargetCuts(scene, rules)) return std::nullopt;
+  if (rules.choices.cutFill != CutFill::Fan && mayClip(scene)) return std::nullopt;  // a cut polygon may be folded
   ValueNeeds needs;
   needs.primitive = needs.count = true;
   Result<ValueTarget> target = ValueTarget::create(scene.target.width, scene.target.height, scene.target.samples, needs);

@@ -14,7 +14,7 @@ namespace rasterdiff::rasterizer {
 class KernelCoverage {
  public:
   /// None where the frame has other planes, a rule is open, mistaken or not the kernel's (ties: top-left; samples: the
-  /// standard ones), something else than the target's border cuts, or there are too few triangles for it to pay.
+  /// standard ones), something else than the target's border cuts, cut polygons are not drawn as fans, or there are too few triangles for it to pay.
   [[nodiscard]] static std::optional<KernelCoverage> of(const Scene& scene, const Rules& rules, std::span<const SubpixelPosition> pattern);
 
   void add(const Primitive& primitive, const SetupTriangle& piece);

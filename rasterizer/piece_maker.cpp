@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "rasterizer/cut_polygon.hpp"
 #include "rasterizer/mistakes/mistaken_pieces.hpp"
 
 namespace rasterdiff::rasterizer {
@@ -26,10 +27,21 @@ bool PieceMaker::isFront(double doubleArea) const {
   return state_.frontFace == FrontFace::COUNTER_CLOCKWISE ? counterClockwise : clockwise;
 }
 
-bool PieceMaker::isCulled(double doubleArea) const { return culledBy(state_.cullMode, isFront(doubleArea)); }
+bool PieceMaker::isCulled(double doubleArea) const { return isFaceCulled(isFront(doubleArea)); }
 
-void PieceMaker::makePieces(Primitive& primitive) const {
+bool PieceMaker::isFaceCulled(bool frontFacing) const { return culledBy(state_.cullMode, frontFacing); }
+
+void PieceMaker::makePieces(Primitive& primitive, std::optional<float> uncutArea) const {
   primitive.pieces.clear();
+  primitive.folded = primitive.cut && isFolded(primitive.polygon, rules_.choices.cutFill);
+  // One facing for all that is left of the triangle, if a device sees it as one polygon. [choice:cut-fill]
+  std::optional<double> whole;
+  if (uncutArea) {
+    whole = *uncutArea;
+  } else if (primitive.folded) {
+    whole = static_cast<double>(doubleArea(primitive.polygon));
+  }
+  primitive.reversed = whole.value_or(0) < 0;
   const bool mistaken = rules_.error != DeliberateError::None;
   const size_t corners = primitive.polygon.size();
   const size_t last = rules_.error == DeliberateError::CutFanShort && corners > 3 ? corners - 1 : corners;
@@ -38,12 +50,15 @@ void PieceMaker::makePieces(Primitive& primitive) const {
     triangle.corner = {0, static_cast<uint8_t>(i - 1), static_cast<uint8_t>(i)};
     const auto at = [&](size_t k) { return primitive.polygon[triangle.corner[k]].snapped; };
     triangle.area = doubleArea(at(0), at(1), at(2));
-    triangle.frontFacing = isFront(static_cast<double>(triangle.area));  // only its sign counts
+    triangle.frontFacing = isFront(whole.value_or(static_cast<double>(triangle.area)));  // only its sign counts
+    if (uncutArea) triangle.frontFacing = triangle.frontFacing || *uncutArea == 0;
     if (mistaken && triangle.area != 0) triangle.frontFacing = mistakenFacing(triangle.frontFacing, primitive, rules_.error);
     triangle.culled = culledBy(state_.cullMode, triangle.frontFacing);
     if (state_.cullMode == CullMode::FRONT || state_.cullMode == CullMode::BACK) ++counts_[Rule::Facing];
     if (triangle.culled) ++counts_[Rule::Culling];
     if (triangle.area == 0) continue;
+    // Scan conversion finds no row to fill in what is wound against the area that was computed.
+    if (uncutArea && !primitive.folded && (triangle.area < 0) != (*uncutArea < 0)) continue;
     if (triangle.area < 0) {
       std::swap(triangle.corner[1], triangle.corner[2]);
       triangle.flipped = true;

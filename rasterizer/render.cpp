@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "rasterizer/choice_table.hpp"
+#include "rasterizer/cut_polygon.hpp"
 #include "rasterizer/drawing_region.hpp"
 #include "rasterizer/figure_rules.hpp"
 #include "rasterizer/frame_writer.hpp"
@@ -40,8 +41,9 @@ class Renderer {
   void draw(const Primitive& primitive) {
     region_ = regions_[primitive.viewportIndex];
     area_ = region_.area;
+    if (primitive.folded) drawFolded(primitive);
     for (const SetupTriangle& piece : primitive.pieces) {
-      if (piece.culled) continue;
+      if (piece.culled || primitive.folded) continue;
       if (kernel_) kernel_->add(primitive, piece);
       if (kernel_ && !counted_) continue;
       const Box box = boxOf(primitive, piece);
@@ -71,12 +73,13 @@ class Renderer {
 
   [[nodiscard]] static Box boxOf(const Primitive& primitive, const SetupTriangle& piece) {
     Box box{primitive.polygon[piece.corner[0]].snapped, primitive.polygon[piece.corner[0]].snapped};
-    for (const uint8_t corner : piece.corner) {
-      const SubpixelPosition& p = primitive.polygon[corner].snapped;
-      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-    }
+    for (const uint8_t corner : piece.corner) extend(box, primitive.polygon[corner].snapped);
     return box;
+  }
+
+  static void extend(Box& box, const SubpixelPosition& p) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
   }
 
   void expect(const Box& box) {
@@ -115,6 +118,42 @@ class Renderer {
     counts_[Rule::SampleCoverage] += inside;
     counts_[Rule::TieBreak] += ties;
     if (primitive.cutByDistance) counts_[Rule::Partition] += ties;
+    return inside;
+  }
+
+  // Few and small: every sample of the box is decided on its own, and drawn with the piece that it belongs to.
+  void drawFolded(const Primitive& primitive) {
+    const CutPolygon polygon(primitive, rules_);
+    for (size_t i = 0; i < primitive.pieces.size(); ++i) {
+      if (primitive.pieces[i].culled) continue;
+      values_.setUp(primitive, primitive.pieces[i]);
+      writer_.beginPiece(primitive.number, values_);
+      countInterpolation(primitive, drawPart(primitive, polygon, i));
+      writer_.endPiece(values_);
+    }
+  }
+
+  // Returns the number of samples inside.
+  uint64_t drawPart(const Primitive& primitive, const CutPolygon& polygon, size_t piece) {
+    const auto pixel = [](int32_t v) { return v >> kSubpixelBits; };
+    Box box{primitive.polygon[0].snapped, primitive.polygon[0].snapped};
+    for (const RasterVertex& vertex : primitive.polygon) extend(box, vertex.snapped);
+    const SampleArea writable = region_.of({pixel(box.low.x), pixel(box.low.y), pixel(box.high.x - 1), pixel(box.high.y - 1)});
+    uint64_t inside = 0;
+    for (int32_t y = std::max(pixel(box.low.y), whole_.top); y <= std::min(pixel(box.high.y), whole_.bottom - 1); ++y) {
+      for (int32_t x = std::max(pixel(box.low.x), whole_.left); x <= std::min(pixel(box.high.x), whole_.right - 1); ++x) {
+        bool some = false;
+        for (size_t s = 0; s < pattern_.size(); ++s) {
+          const int64_t px = int64_t{x} * kSubpixelOne + pattern_[s].x, py = int64_t{y} * kSubpixelOne + pattern_[s].y;
+          const bool covered = polygon.pieceAt(px, py) == piece;
+          spans_[s] = covered && writable.contains(x, y, pattern_[s]) ? RowSpan{x, x + 1} : RowSpan{};
+          inside += covered ? 1 : 0;
+          some = some || !spans_[s].empty();
+        }
+        if (some) writer_.writeRow(primitive.number, values_, y, spans_);
+      }
+    }
+    counts_[Rule::SampleCoverage] += inside;
     return inside;
   }
 

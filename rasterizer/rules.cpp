@@ -40,6 +40,7 @@ Result<Rules> Rules::profile(std::string_view name, const Limits& limits) {
     rules.choices.pointClip = PointClip::SidesIgnored;
     rules.choices.cutOutline = CutOutline::Flagged;
     rules.choices.cullPosition = CullPosition::AlsoFloat;
+    rules.choices.cutFill = CutFill::Fan;
     rules.choices.drawingRegion = DrawingRegionRule::RoundedViewport;
     rules.choices.valuesOpen = true;
     rules.choices.lineArithmetic = LineArithmetic::Float32Corners;

@@ -88,12 +88,24 @@ enum class PointClip : uint8_t {
 enum class CutOutline : uint8_t {
   Original,  ///< those of the triangle as it was
   Flagged,   ///< also edges along clip distances, and the corner where the outline comes back inside; the closing edge early
+  Uncut,     ///< each edge and corner of the triangle as a line or point of its own: nothing else is cut or dropped
+};
+
+/// [choice:cut-fill] how the polygon that clipping leaves is filled where snapping folds it.
+/// [vk:primsrast-polygons-basic]
+enum class CutFill : uint8_t {
+  Polygon,  ///< as one polygon: every sample that it winds around once, all of it facing one way
+  Fan,      ///< each triangle of its fan for itself: overlaps are drawn twice, each triangle has its own facing
+  Spans,    ///< each row from its last left to its last right edge, in the order of the edges
 };
 
 /// [choice:cull-position] which positions a triangle's facing is culled by. [vk:primsrast-polygons-basic]
 enum class CullPosition : uint8_t {
   Snapped,
   AlsoFloat,  ///< by those in float32 alone for outlines; by both where some vertex of the draw had to be clipped
+  /// The snapped ones of the triangle before clipping, turned for each negative w, their area in float32 (corners: of clip
+  /// coordinates). Zero is front-facing (corners: back-facing). What is wound the other way after clipping is not drawn.
+  UncutFloat32,
 };
 
 /// [choice:drawing-region] which samples a draw may write at all. [vk:fragops-scissor]
@@ -106,6 +118,9 @@ enum class DrawingRegionRule : uint8_t {
 enum class LineArithmetic : uint8_t {
   Exact,           ///< around the snapped ends, without rounding
   Float32Corners,  ///< four corners in float32, each snapped (halves away from zero), for Bresenham lines too
+  /// Four corners made in clip space in float32 around the uncut ends, cut as a polygon is, each snapped like a vertex,
+  /// filled by Spans; Bresenham lines are parallelograms with ends along an axis.
+  ClipCorners,
 };
 
 /// [choice:diamond-exit] who owns the border of a pixel's diamond. [vk:primsrast-lines-bresenham]
@@ -123,6 +138,12 @@ enum class DepthBiasUnit : uint8_t {
   OneStepAndPercent,  ///< 1.01 / (2^n - 1)
 };
 
+/// [choice:depth-bias-exponent] what the unit of a float depth format comes from. [vk:primsrast-depthbias-computation]
+enum class DepthBiasExponent : uint8_t {
+  LargestDepth,      ///< the exponent of the primitive's largest depth
+  FirstDifferences,  ///< of the first vertex's depth (largest w, then smallest y) and of the others' differences from it: breaks the specification
+};
+
 /// [choice:depth-bias-slope] m. [vk:primsrast-depthbias-computation]
 enum class DepthBiasSlope : uint8_t {
   Larger,  ///< max(abs dz/dx, abs dz/dy)
@@ -137,8 +158,12 @@ enum class CentroidPosition : uint8_t {
   Mean,           ///< the mean of the covered samples
 };
 
-/// [choice:plane-positions] through which positions the planes of values are laid.
-enum class PlanePositions : uint8_t { Unsnapped, Snapped };
+/// [choice:plane-positions] through which positions the planes of values are laid. [vk:primsrast-polygons]
+enum class PlanePositions : uint8_t {
+  Unsnapped,
+  Snapped,
+  SnappedUncut,  ///< of cut polygons: the snapped positions of the triangle before clipping, also behind the eye
+};
 
 /// [choice:resolve-arithmetic] how an average is rounded. [vk:VkResolveModeFlagBits]
 enum class ResolveArithmetic : uint8_t {
@@ -181,10 +206,12 @@ struct Choices {
   PointClip pointClip = PointClip::Volume;
   CutOutline cutOutline = CutOutline::Original;
   CullPosition cullPosition = CullPosition::Snapped;
+  CutFill cutFill = CutFill::Polygon;
   DrawingRegionRule drawingRegion = DrawingRegionRule::Scissor;
   LineArithmetic lineArithmetic = LineArithmetic::Exact;
   DiamondExit diamondExit = DiamondExit::Vulkan;
   DepthBiasUnit depthBiasUnit = DepthBiasUnit::OneStep;
+  DepthBiasExponent depthBiasExponent = DepthBiasExponent::LargestDepth;
   DepthBiasSlope depthBiasSlope = DepthBiasSlope::Larger;
   CentroidPosition centroid = CentroidPosition::CentreOrFirst;
   PlanePositions planePositions = PlanePositions::Unsnapped;

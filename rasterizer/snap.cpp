@@ -161,6 +161,21 @@ int32_t snapUnder(const Rules& rules, uint32_t samples, float coordinate, float 
   return snapExactly(coordinate, w, shifted, gridBits(rules), roundingOf(rules)) + kHalfPixel;
 }
 
+GridPlace snapAnywhere(const Rules& rules, uint32_t samples, float coordinate, float w, const ViewportAxis& axis) {
+  const Shift shift = shiftOf(rules, samples);
+  const ViewportArithmetic arithmetic = rules.choices.viewportArithmetic;
+  double pixels = 0;
+  if (arithmetic == ViewportArithmetic::Exact) {
+    pixels = double{coordinate} * axis.scale / w + axis.offset() - (shift == Shift::None ? 0 : 0.5);
+  } else {
+    const float mapped = toFramebufferFloat(coordinate, w, axis, arithmetic, shift == Shift::InViewport ? 0.5F : 0);
+    pixels = shift == Shift::AfterViewport ? mapped - 0.5F : mapped;
+  }
+  const int bits = gridBits(rules);
+  const double steps = roundTo(std::ldexp(pixels, bits), roundingOf(rules));
+  return {steps, std::ldexp(steps, -bits) + (shift == Shift::None ? 0 : 0.5)};
+}
+
 SnapRange legalSnaps(float coordinate, float w, const ViewportAxis& axis, int bits, double uncertainty) {
   if (uncertainty > 0) return legalSnaps(double{coordinate} * axis.scale / w + axis.offset(), bits, uncertainty);
   const double below = exactFloor(coordinate, w, axis, bits);

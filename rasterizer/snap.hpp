@@ -38,6 +38,13 @@ inline constexpr double kGuardBand = 1 << 20;
 /// Snaps a framebuffer coordinate that was computed in doubles (of a vertex that clipping made).
 [[nodiscard]] int32_t snapPosition(const Rules& rules, uint32_t samples, double pixels);
 
+/// A coordinate on the grid wherever it lies, also beyond the guard band and behind the eye (w < 0, but not 0).
+struct GridPlace {
+  double steps = 0;   ///< whole; from what the rounding takes for the origin
+  double pixels = 0;  ///< from the target's
+};
+[[nodiscard]] GridPlace snapAnywhere(const Rules& rules, uint32_t samples, float coordinate, float w, const ViewportAxis& axis);
+
 /// The neighbouring grid points between which a vertex may legally go, for a coordinate known within ±`uncertainty`
 /// pixels (0: exactly, and then a point on the grid stays).
 struct SnapRange {

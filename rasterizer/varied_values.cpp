@@ -20,8 +20,9 @@ FloatSpot cornerOf(const RasterVertex& vertex, bool snapped) {
 
 }  // namespace
 
-void PieceValues::varyTriangle(const std::array<const RasterVertex*, 3>& v) {
+void PieceValues::varyTriangle(Corners v) {
   const Variation& variation = *rules_.variation;
+  if (variation.uncutCorners && uncut_) v = {&(*uncut_)[0], &(*uncut_)[1], &(*uncut_)[2]};
   std::array<FloatSpot, 3> corners;
   for (size_t i = 0; i < 3; ++i) corners[i] = cornerOf(*v[i], variation.snappedCorners);
   varied_.emplace().inputs.resize(inputs_.size());

@@ -15,11 +15,6 @@ double farthest(double pixels, const SnapRange& range) {
   return std::max(std::fabs(pixels - low), std::fabs(pixels - high));
 }
 
-// float32 z: reciprocal, product, product, sum. [vk:vertexpostproc-viewport]
-double depthErrorBound(double scaled, double offset, double result) {
-  return kHalfUlp * (3 * std::fabs(scaled) + std::fabs(offset) + std::fabs(result));
-}
-
 // A clipper outside the vertex stage maps its vertices without fused operations.
 ViewportArithmetic clippedArithmetic(const Choices& choices) {
   const bool ofVertices = choices.clipArithmetic == ClipArithmetic::Float32Weighted &&
@@ -68,6 +63,10 @@ void mistakeSnap(RasterVertex& vertex, const ClipPosition& p, const VertexStage&
 }
 
 }  // namespace
+
+double depthErrorBound(double scaled, double offset, double result) {
+  return kHalfUlp * (3 * std::fabs(scaled) + std::fabs(offset) + std::fabs(result));
+}
 
 RasterVertex VertexStage::original(const ClipPosition& given) const {
   const ClipPosition p = rules.error == DeliberateError::ReciprocalCoarse ? withCoarseReciprocal(given) : given;

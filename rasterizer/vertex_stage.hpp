@@ -17,6 +17,9 @@ struct VertexStage {
   [[nodiscard]] RasterVertex clipped(const ClipVertex& vertex) const;
 };
 
+/// Bound on the error of a float32 depth: reciprocal, product, product, sum. [vk:vertexpostproc-viewport]
+[[nodiscard]] double depthErrorBound(double scaled, double offset, double result);
+
 /// The stage of draws through viewport `index`.
 [[nodiscard]] VertexStage vertexStage(const Scene& scene, const Rules& rules, uint32_t index);
 

@@ -93,8 +93,6 @@ std::string inferenceCard(const Inference& inference) {
   valueLines(out, inference);
   if (inference.valuesOutside > 0) open += fmt::format("{}places of inputs", open.empty() ? "" : ", ");
   fmt::format_to(out, "\nundetermined: {}\n", open.empty() ? "nothing" : open + " (judged by the specification)");
-  // pointClip, cutOutline, cullPosition, drawingRegion: no row in the table of choices, no experiment.
-  fmt::format_to(out, "not examined: points beyond the sides, outlines of cut polygons, position of culling, drawing region (nominal)\n");
   return text;
 }
 

@@ -22,11 +22,29 @@ namespace rasterdiff::harness {
 /// Triangles that leave the view volume through its sides, near and far. None if all contenders draw the same.
 [[nodiscard]] std::optional<Scene> clipScene(Prng& random, uint32_t samples, std::span<const rasterizer::Rules> contenders);
 
+/// Slivers about a grid step wide that leave through planes, seen from both sides, some of them culled: clipping and snapping
+/// fold what is left of them, or turn it over. None as above.
+[[nodiscard]] std::optional<Scene> sliverScene(Prng& random, uint32_t samples, std::span<const rasterizer::Rules> contenders);
+
+/// Triangles as lines or points, which leave the view volume, and through a clip distance if there are `distances`.
+/// None as above.
+[[nodiscard]] std::optional<Scene> outlineScene(Prng& random, uint32_t samples, bool distances,
+                                                std::span<const rasterizer::Rules> contenders);
+
+/// Triangles in a viewport with fractions, cut by a scissor. None as above.
+[[nodiscard]] std::optional<Scene> regionScene(Prng& random, uint32_t samples, std::span<const rasterizer::Rules> contenders);
+
 /// Points of the sizes that the device offers.
 [[nodiscard]] Scene pointScene(Prng& random, uint32_t samples, const Limits& limits);
 
+/// Points whose vertices lie outside of the view volume, a little or far; `viewports`: with a second viewport.
+[[nodiscard]] Scene outerPointScene(Prng& random, uint32_t samples, bool viewports, const Limits& limits);
+
 /// Lines of a mode and width that the device offers; none if it offers no such mode. `bresenham`: which mode.
 [[nodiscard]] std::optional<Scene> lineScene(Prng& random, uint32_t samples, bool bresenham, const Limits& limits);
+
+/// Bresenham lines from and to the corners and edges of pixels' diamonds, in all octants. None as above.
+[[nodiscard]] std::optional<Scene> diamondScene(Prng& random, uint32_t samples, const Limits& limits);
 
 /// Slanted triangles with depth bias on a fixed-point or a float format.
 [[nodiscard]] Scene biasScene(Prng& random, DepthFormat format);
@@ -36,6 +54,9 @@ namespace rasterdiff::harness {
 
 /// Small triangles between grid points with steep values.
 [[nodiscard]] Scene steepScene(Prng& random);
+
+/// Perspective values over triangles that leave the view volume, some behind the eye.
+[[nodiscard]] Scene steepCutScene(Prng& random);
 
 /// Overlapping constant triangles, whose samples are averaged.
 [[nodiscard]] Scene resolveScene(Prng& random, uint32_t samples);

@@ -44,6 +44,51 @@ Scene pointScene(Prng& random, uint32_t samples, const Limits& limits) {
   return scene;
 }
 
+Scene outerPointScene(Prng& random, uint32_t samples, bool viewports, const Limits& limits) {
+  Scene scene = pointScene(random, samples, limits);
+  scene.name = "infer/outer-points";
+  Draw& draw = scene.draws.front();
+  const float largest = std::min(limits.pointSizeMax, 9.0F);
+  for (size_t i = 0; i < draw.positions.size(); ++i) {
+    ClipPosition& p = draw.positions[i];
+    const double beyond = random.chance(50) ? std::ldexp(1.0, -random.between(3, viewports ? 6 : 22)) : random.between(0.02, 0.2);
+    float& side = random.chance(50) ? p.x : p.y;
+    if (random.chance(70)) side = static_cast<float>((random.chance(50) ? 1 : -1) * (1 + beyond) * double{p.w});
+    if (!viewports && random.chance(10)) p.z = static_cast<float>((random.chance(50) ? -beyond : 1 + beyond) * double{p.w});
+    if (!draw.pointSizes.empty() && largest > 1) draw.pointSizes[i] = largest;
+  }
+  if (viewports) {
+    // Only the sides at the right and the bottom are looked at.
+    scene.scissor = Rect2D{16, 16, kFigureExtent - 16, kFigureExtent - 16};
+    scene.furtherViewports.push_back({scene.viewport, scene.scissor});
+  }
+  return scene;
+}
+
+std::optional<Scene> diamondScene(Prng& random, uint32_t samples, const Limits& limits) {
+  if (!limits.bresenhamLines) return std::nullopt;
+  SceneSketch sketch("infer/diamonds", samples);
+  Scene& scene = sketch.scene();
+  scene.state.topology = PrimitiveTopology::LINE_LIST;
+  scene.state.lineRasterizationMode = LineRasterizationMode::BRESENHAM;
+  // On the diamond |x| + |y| = ½ around the centre: corners, and points of its edges.
+  const auto onDiamond = [&](double pixel, double other) {
+    constexpr std::array kParts{0.0, 0.0, 0.25, 0.375, 0.5, 0.5};
+    const double part = kParts[random.below(kParts.size())];
+    const double x = random.chance(50) ? part : -part, y = random.chance(50) ? 0.5 - part : part - 0.5;
+    return PixelPosition{pixel + 0.5 + x, other + 0.5 + y, 0.5, 1};
+  };
+  for (int i = 0; i < 40; ++i) {
+    const int32_t x = random.between(6, 25), y = random.between(6, 25);
+    const PixelPosition from = onDiamond(x, y);
+    PixelPosition to = onDiamond(x + random.between(-5, 5), y + random.between(-5, 5));
+    if (random.chance(20)) to.y = from.y;
+    if (random.chance(20)) to.x = from.x;
+    for (const PixelPosition& p : {from, to}) sketch.draw().positions.push_back(clipFromPixels(scene.viewport, p));
+  }
+  return std::move(scene);
+}
+
 std::optional<Scene> lineScene(Prng& random, uint32_t samples, bool bresenham, const Limits& limits) {
   if (!(bresenham ? limits.bresenhamLines : limits.rectangularLines)) return std::nullopt;
   const auto mode = bresenham ? LineRasterizationMode::BRESENHAM : LineRasterizationMode::RECTANGULAR;
@@ -88,6 +133,27 @@ Scene steepScene(Prng& random) {
   scatter(sketch, random, 24, 9);
   Varying steep{.name = "steep", .interpolation = Interpolation::noperspective, .components = 1, .values = {}};
   for (size_t i = 0; i < sketch.draw().positions.size(); ++i) steep.values.push_back(static_cast<float>(random.between(-8.0, 8.0)));
+  sketch.draw().varyings.push_back(std::move(steep));
+  return std::move(sketch.scene());
+}
+
+Scene steepCutScene(Prng& random) {
+  SceneSketch sketch("infer/steep-cut", 1);
+  Varying steep{.name = "steep", .interpolation = Interpolation::smooth, .components = 1, .values = {}};
+  for (int i = 0; i < 24; ++i) {
+    std::array<ClipPosition, 3> corners;
+    for (size_t k = 0; k < 3; ++k) {
+      const double w = random.between(0.5, 4.0), reach = k == 0 ? 3 : 1;
+      corners[k] = {static_cast<float>(random.between(-reach, reach) * w), static_cast<float>(random.between(-reach, reach) * w),
+                    static_cast<float>(random.between(0.125, 0.875) * w), static_cast<float>(w)};
+      steep.values.push_back(static_cast<float>(random.between(-8.0, 8.0)));
+    }
+    if (random.chance(50)) {
+      corners[0].w = -corners[0].w;
+      corners[0].z = -corners[0].z;
+    }
+    sketch.clipTriangle(corners);
+  }
   sketch.draw().varyings.push_back(std::move(steep));
   return std::move(sketch.scene());
 }

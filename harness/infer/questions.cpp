@@ -29,28 +29,49 @@ Question gridQuestion(const std::vector<uint32_t>& counts) {
 
 Question clipQuestion(const std::vector<uint32_t>& counts) {
   return {"clipping",
-          {{Choice::ClipArithmetic}, 60, [counts](Prng& random, uint32_t round, Contenders contenders) {
-             return clipScene(random, inTurn(counts, round), contenders);
+          {{Choice::ClipArithmetic, Choice::CutFill, Choice::CullPosition}, 120, [counts](Prng& random, uint32_t round, Contenders contenders) {
+             const uint32_t samples = inTurn(counts, round / 2);
+             return round % 2 == 0 ? clipScene(random, samples, contenders) : sliverScene(random, samples, contenders);
+           }}};
+}
+
+Question outlineQuestion(const std::vector<uint32_t>& counts) {
+  return {"outlines",
+          {{Choice::CutOutline}, 30, [counts](Prng& random, uint32_t round, Contenders contenders) {
+             // Lines that are cut for themselves may leave distances to the fragments, which is no matter of outlines.
+             const bool uncut = contenders.front().choices.cutOutline == rasterizer::CutOutline::Uncut;
+             return outlineScene(random, inTurn(counts, round), round >= 10 && !uncut, contenders);
+           }}};
+}
+
+Question regionQuestion(const std::vector<uint32_t>& counts) {
+  return {"drawing region",
+          {{Choice::DrawingRegion}, 30, [counts](Prng& random, uint32_t round, Contenders contenders) {
+             return regionScene(random, inTurn(counts, round), contenders);
            }}};
 }
 
 Question pointQuestion(const std::vector<uint32_t>& counts, const Limits& limits) {
   return {"points",
-          {{Choice::PointArithmetic}, 24, [counts, limits](Prng& random, uint32_t round, Contenders) -> std::optional<Scene> {
-             return pointScene(random, inTurn(counts, round), limits);
+          {{Choice::PointArithmetic, Choice::PointClip}, 96, [counts, limits](Prng& random, uint32_t round, Contenders) -> std::optional<Scene> {
+             const uint32_t samples = inTurn(counts, round / 4);
+             if (round % 2 == 0) return pointScene(random, samples, limits);
+             const bool viewports = round % 4 == 3;  // with a scissor: at several samples that is a question of its own
+             return outerPointScene(random, viewports ? counts.front() : samples, viewports, limits);
            }}};
 }
 
 Question lineQuestion(const std::vector<uint32_t>& counts, const Limits& limits) {
   return {"lines",
-          {{Choice::LineArithmetic, Choice::DiamondExit}, 32, [counts, limits](Prng& random, uint32_t round, Contenders) {
-             return lineScene(random, inTurn(counts, round / 2), round % 2 == 1, limits);
+          {{Choice::LineArithmetic, Choice::DiamondExit}, 48, [counts, limits](Prng& random, uint32_t round, Contenders) {
+             const uint32_t samples = inTurn(counts, round / 3);
+             return round % 3 == 2 ? diamondScene(random, samples, limits) : lineScene(random, samples, round % 3 == 1, limits);
            }}};
 }
 
 Question biasQuestion() {
   return {"depth bias",
-          {{Choice::DepthBiasUnit, Choice::DepthBiasSlope}, 60, [](Prng& random, uint32_t round, Contenders) -> std::optional<Scene> {
+          {{Choice::DepthBiasUnit, Choice::DepthBiasExponent, Choice::DepthBiasSlope}, 60, [](Prng& random, uint32_t round, Contenders) -> std::optional<Scene> {
              return biasScene(random, round % 3 == 2 ? DepthFormat::D32_SFLOAT : DepthFormat::D16_UNORM);
            }}};
 }
@@ -66,8 +87,8 @@ Question centroidQuestion(uint32_t samples) {
 
 Question planeQuestion() {
   return {"positions under values",
-          {{Choice::PlanePositions}, 8, [](Prng& random, uint32_t, Contenders) -> std::optional<Scene> {
-             return steepScene(random);
+          {{Choice::PlanePositions}, 16, [](Prng& random, uint32_t round, Contenders) -> std::optional<Scene> {
+             return round % 2 == 0 ? steepScene(random) : steepCutScene(random);
            }}};
 }
 
@@ -93,7 +114,7 @@ Question tieQuestion(const Limits& limits, std::vector<SampleSweep> sweeps) {
 std::vector<Question> furtherQuestions(const Limits& limits) {
   const std::vector<uint32_t> counts = sampleCounts(limits);
   std::vector<Question> questions{gridQuestion(counts), clipQuestion(counts), pointQuestion(counts, limits),
-                                  lineQuestion(counts, limits), planeQuestion(), biasQuestion()};
+                                  lineQuestion(counts, limits), outlineQuestion(counts), regionQuestion(counts), planeQuestion(), biasQuestion()};
   if (counts.back() > 1) {
     questions.push_back(centroidQuestion(counts.back()));
     questions.push_back(resolveQuestion(counts.back()));

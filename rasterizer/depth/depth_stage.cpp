@@ -63,7 +63,11 @@ Interval DepthStage::shown(const Interval& z) const {
 }
 
 Interpolated DepthStage::stored(const Interval& z) const {
-  if (plain_) return toFloat(z);
+  if (plain_) {
+    // What is inside of the view volume has a depth in range: one that rounding puts outside may be clamped.
+    const Interval cut = clamped(z);
+    return toFloat({z.value, std::min(z.lo, cut.lo), std::max(z.hi, cut.hi)});
+  }
   Interval depth = rules_.error == DeliberateError::DepthClampBeforeBias && clamps_ ? biased(clamped(z)) : biased(z);
   if (clamps_) {
     if (depth.value < minDepth_ || depth.value > maxDepth_) count(Rule::DepthClamp);

@@ -19,6 +19,14 @@ TrianglePlane::TrianglePlane(const std::array<FramebufferPosition, 3>& corners, 
   sensitivity_ = (deviation_ * perimeter_ + 6 * deviation_ * deviation_) / area;
 }
 
+void TrianglePlane::reachTo(std::span<const RasterVertex> polygon) {
+  for (const RasterVertex& vertex : polygon) {
+    const double x = vertex.position.x - x_[0], y = vertex.position.y - y_[0];
+    const double b1 = (x * e2y_ - y * e2x_) / determinant_, b2 = (y * e1x_ - x * e1y_) / determinant_;
+    reach_ = std::max(reach_, std::fabs(1 - b1 - b2) + std::fabs(b1) + std::fabs(b2));
+  }
+}
+
 LinearFunction TrianglePlane::through(const std::array<double, 3>& a, double inputError, double outside) const {
   LinearFunction result;
   const double d1 = a[1] - a[0], d2 = a[2] - a[0];
@@ -46,7 +54,7 @@ LinearFunction TrianglePlane::through(const std::array<double, 3>& a, double inp
   // Placement: the value at a point moves by Σ |bᵢ| δ |gradient|; the gradient itself may change with the determinant.
   const double change = 2 * deviation_ * (std::fabs(d1) + std::fabs(d2)) / area;
   const double steepest = (std::fabs(result.dx) + std::fabs(result.dy) + 2 * change) / (1 - sensitivity_);
-  const double spread = 1 + 2 * (deviation_ + 0x1p-7 + outside) * perimeter_ / area;  // bound on Σ |bᵢ|
+  const double spread = reach_ + 2 * (deviation_ + 0x1p-7 + outside) * perimeter_ / area;  // bound on Σ |bᵢ|
   result.constantRadius = spread * (3 * kHalfUlp * largest + inputError + deviation_ * steepest);
   result.farX = std::max({std::fabs(x_[0]), std::fabs(x_[1]), std::fabs(x_[2])});
   result.farY = std::max({std::fabs(y_[0]), std::fabs(y_[1]), std::fabs(y_[2])});

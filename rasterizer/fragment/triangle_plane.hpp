@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "rasterizer/fragment/linear_function.hpp"
 #include "rasterizer/geometry.hpp"
@@ -18,6 +19,9 @@ class TrianglePlane {
   /// Corners in pixels; a legal corner lies within `deviation` pixels of its place in x and in y.
   TrianglePlane(const std::array<FramebufferPosition, 3>& corners, double deviation);
 
+  /// The planes are evaluated around a part of the screen that need not lie inside of the triangle.
+  void reachTo(std::span<const RasterVertex> polygon);
+
   /// The plane through `values` at the corners, which are known within `inputError`. `outside`: how many pixels outside
   /// of the triangle the plane may be evaluated.
   [[nodiscard]] LinearFunction through(const std::array<double, 3>& values, double inputError, double outside) const;
@@ -33,6 +37,7 @@ class TrianglePlane {
   double perimeter_;    // L1, pixels
   double deviation_;    // pixels
   double condition_;    // 1 + (|e| + |f|) / |det|: how much the determinant's cancellation amplifies roundings
+  double reach_ = 1;    // bound on Σ |bᵢ| where the planes are evaluated
   double sensitivity_;  // relative change of the determinant under legal placements
 };
 

@@ -34,12 +34,14 @@ Choices randomChoices(Prng& random, const Limits& limits) {
   Choices choices;
   choices.viewportArithmetic =
       oneOf(random, std::array{ViewportArithmetic::Exact, ViewportArithmetic::Float32, ViewportArithmetic::Float32Fma});
-  choices.snapRounding = oneOf(random, std::array{SnapRounding::NearestEven, SnapRounding::NearestUp, SnapRounding::Floor,
-                                                  SnapRounding::TowardZero});
-  choices.snapOrigin = oneOf(random, std::array{SnapOrigin::Corner, SnapOrigin::CentreAtOneSample});
+  choices.snapRounding = static_cast<SnapRounding>(random.below(8));
+  choices.snapOrigin = static_cast<SnapOrigin>(random.below(4));
   choices.tieOwner =
       oneOf(random, std::array{TieOwner::TopLeft, TieOwner::TopRight, TieOwner::BottomLeft, TieOwner::BottomRight});
-  choices.clipArithmetic = oneOf(random, std::array{ClipArithmetic::Exact, ClipArithmetic::Float32Linear});
+  choices.slantedTies = static_cast<SlantedTies>(random.below(4));
+  choices.clipArithmetic =
+      oneOf(random, std::array{ClipArithmetic::Exact, ClipArithmetic::Float32Linear, ClipArithmetic::Float32Weighted});
+  choices.cutFill = oneOf(random, std::array{CutFill::Polygon, CutFill::Spans});
   // Points are never drawn smaller than a pixel around a snapped vertex: legal only where no smaller size is offered.
   const bool wholePixels = limits.pointSizeMin >= 1;
   if (wholePixels && random.chance(50)) choices.pointArithmetic = PointArithmetic::SnappedCentre;
@@ -53,6 +55,7 @@ Variation randomVariation(Prng& random, const Limits& limits) {
   v.arithmetic = oneOf(random, std::array{Variation::Arithmetic::PlaneAtOrigin, Variation::Arithmetic::PlaneAtVertex,
                                           Variation::Arithmetic::Barycentric});
   v.snappedCorners = random.chance(50);
+  v.uncutCorners = random.chance(33);
   v.reciprocal = random.chance(50);
   v.attributeX = static_cast<float>(random.between(-8, 8)) / 16;
   v.attributeY = static_cast<float>(random.between(-8, 8)) / 16;
@@ -84,17 +87,18 @@ Rules legalRules(uint64_t seed) {
 
 std::string describe(const Rules& rules) {
   constexpr std::array kViewport{"exact", "float32", "fused float32"};
-  constexpr std::array kSnap{"nearest even", "nearest up", "floor", "toward zero"};
+  constexpr std::array kSnap{"nearest even", "nearest up", "floor", "toward zero",
+                             "nearest down", "nearest away", "nearest toward zero", "ceiling"};
   constexpr std::array kOwner{"top-left", "top-right", "bottom-left", "bottom-right"};
   constexpr std::array kArithmetic{"planes at the origin", "planes at a vertex", "barycentric weights"};
   const Choices& c = rules.choices;
   const Variation v = rules.variation.value_or(Variation{});
-  return fmt::format("{} viewport; {} of {} subpixel bits, {}; ties {}; {} clipping; values by {} through {} corners, at "
+  return fmt::format("{} viewport; {} of {} subpixel bits, {}; ties {}; {} clipping; values by {} through {}{} corners, at "
                      "({}, {}){}; m {}",
                      kViewport[static_cast<size_t>(c.viewportArithmetic)], v.gridBits == 0 ? rules.limits.subPixelPrecisionBits : v.gridBits,
                      rules.limits.subPixelPrecisionBits, kSnap[static_cast<size_t>(c.snapRounding)],
                      kOwner[static_cast<size_t>(c.tieOwner)], c.clipArithmetic == ClipArithmetic::Exact ? "exact" : "float32",
-                     kArithmetic[static_cast<size_t>(v.arithmetic)], v.snappedCorners ? "snapped" : "unsnapped", v.attributeX,
+                     kArithmetic[static_cast<size_t>(v.arithmetic)], v.uncutCorners ? "uncut " : "", v.snappedCorners ? "snapped" : "unsnapped", v.attributeX,
                      v.attributeY, v.attributesAtSamples ? " or at samples" : "", v.biasSlope);
 }
 

@@ -15,6 +15,7 @@ struct Variation {
   };
   Arithmetic arithmetic = Arithmetic::PlaneAtOrigin;
   bool snappedCorners = false;  ///< the planes go through the snapped corners
+  bool uncutCorners = false;    ///< of cut polygons: through those of the uncut triangle, where all are in front of the eye
   bool reciprocal = false;      ///< perspective: times a float32 reciprocal, where others divide
 
   float attributeX = 0, attributeY = 0;  ///< undecorated inputs of several samples: pixels from the centre, -½ .. ½

@@ -18,6 +18,7 @@ struct FloatPosition {
 /// The ends in the order of drawing, clipped where they lay outside the clip volume (`made`).
 struct LineEnds {
   RasterVertex a, b;
+  std::array<ClipPosition, 2> clip{};  ///< as they came; matters to LineArithmetic::ClipCorners only
   FloatPosition floatA, floatB;  ///< matters to LineArithmetic::Float32Corners only
   /// The ends of a cut or removed line as they were, where both have w > 0: a device may leave a line uncut.
   /// [vk:vertexpostproc-clipping]
