@@ -37,8 +37,8 @@ namespace rasterdiff::harness {
 /// Points of the sizes that the device offers.
 [[nodiscard]] Scene pointScene(Prng& random, uint32_t samples, const Limits& limits);
 
-/// Points whose vertices lie outside of the view volume, a little or far; `viewports`: with a second viewport.
-[[nodiscard]] Scene outerPointScene(Prng& random, uint32_t samples, bool viewports, const Limits& limits);
+/// Points whose vertices lie outside of the view volume, a little or far.
+[[nodiscard]] Scene outerPointScene(Prng& random, uint32_t samples, const Limits& limits);
 
 /// Lines of a mode and width that the device offers; none if it offers no such mode. `bresenham`: which mode.
 [[nodiscard]] std::optional<Scene> lineScene(Prng& random, uint32_t samples, bool bresenham, const Limits& limits);

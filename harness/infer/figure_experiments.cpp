@@ -44,23 +44,18 @@ Scene pointScene(Prng& random, uint32_t samples, const Limits& limits) {
   return scene;
 }
 
-Scene outerPointScene(Prng& random, uint32_t samples, bool viewports, const Limits& limits) {
+Scene outerPointScene(Prng& random, uint32_t samples, const Limits& limits) {
   Scene scene = pointScene(random, samples, limits);
   scene.name = "infer/outer-points";
   Draw& draw = scene.draws.front();
   const float largest = std::min(limits.pointSizeMax, 9.0F);
   for (size_t i = 0; i < draw.positions.size(); ++i) {
     ClipPosition& p = draw.positions[i];
-    const double beyond = random.chance(50) ? std::ldexp(1.0, -random.between(3, viewports ? 6 : 22)) : random.between(0.02, 0.2);
+    const double beyond = random.chance(50) ? std::ldexp(1.0, -random.between(3, 22)) : random.between(0.02, 0.2);
     float& side = random.chance(50) ? p.x : p.y;
     if (random.chance(70)) side = static_cast<float>((random.chance(50) ? 1 : -1) * (1 + beyond) * double{p.w});
-    if (!viewports && random.chance(10)) p.z = static_cast<float>((random.chance(50) ? -beyond : 1 + beyond) * double{p.w});
+    if (random.chance(10)) p.z = static_cast<float>((random.chance(50) ? -beyond : 1 + beyond) * double{p.w});
     if (!draw.pointSizes.empty() && largest > 1) draw.pointSizes[i] = largest;
-  }
-  if (viewports) {
-    // Only the sides at the right and the bottom are looked at.
-    scene.scissor = Rect2D{16, 16, kFigureExtent - 16, kFigureExtent - 16};
-    scene.furtherViewports.push_back({scene.viewport, scene.scissor});
   }
   return scene;
 }

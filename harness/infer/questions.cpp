@@ -54,10 +54,8 @@ Question regionQuestion(const std::vector<uint32_t>& counts) {
 Question pointQuestion(const std::vector<uint32_t>& counts, const Limits& limits) {
   return {"points",
           {{Choice::PointArithmetic, Choice::PointClip}, 96, [counts, limits](Prng& random, uint32_t round, Contenders) -> std::optional<Scene> {
-             const uint32_t samples = inTurn(counts, round / 4);
-             if (round % 2 == 0) return pointScene(random, samples, limits);
-             const bool viewports = round % 4 == 3;  // with a scissor: at several samples that is a question of its own
-             return outerPointScene(random, viewports ? counts.front() : samples, viewports, limits);
+             const uint32_t samples = inTurn(counts, round / 2);
+             return round % 2 == 0 ? pointScene(random, samples, limits) : outerPointScene(random, samples, limits);
            }}};
 }
 

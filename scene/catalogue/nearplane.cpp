@@ -74,6 +74,12 @@ void addNearPlane(Entries& entries) {
                addVarying(scene, "screen", Interpolation::noperspective, 2);
                return scene;
              });
+  family.add("behind-values", "depth of a triangle whose vertex behind the eye is mirrored to just beside the other two",
+             {"R3", "R10", "R22"}, [] {
+               Scene scene = clipped({{-0.21f, -0.63f, 0.5f, 1}, {0.23f, -0.66f, 0.75f, 1}, {0.02f, 0.73f, -0.5f, -1}});
+               useDepth(scene);
+               return scene;
+             });
 }
 
 }  // namespace rasterdiff::families
