@@ -10,6 +10,7 @@
 #include "rasterizer/freedom_band.hpp"
 #include "rasterizer/interpolation.hpp"
 #include "rasterizer/render.hpp"
+#include "rasterizer/sample_grid.hpp"
 #include "rasterizer/sample_pattern.hpp"
 #include "rasterizer/shape.hpp"
 #include "rasterizer/target_area.hpp"
@@ -239,6 +240,7 @@ Result<std::vector<std::vector<Candidate>>> candidates(const Scene& scene, const
       return fail(ErrorCode::BadInput, "sample", "the sample is outside the target");
     }
   }
+  if (scene.target.sampleLocations) return gridCandidates(scene, rules, queries);
   CandidateFinder finder(scene, rules, queries, std::move(*pattern));
   RuleCounts ignored;
   forEachPrimitive(scene, rules, ignored, [&](const Primitive& primitive) { finder.visit(primitive); });

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "rasterizer/lines/smooth_line.hpp"
+
 namespace rasterdiff::rasterizer {
 namespace {
 
@@ -36,7 +38,7 @@ constexpr std::array<Names, 3> kCull{"Snapped", "AlsoFloat", "UncutFloat32"};
 constexpr std::array<Names, 3> kOutline{"Original", "Flagged", "Uncut"};
 constexpr std::array<Names, 2> kPointClip{"Volume", "SidesIgnored"};
 constexpr std::array<Names, 2> kRegion{"Scissor", "RoundedViewport"};
-constexpr std::array<Names, 3> kPoint{"Exact", "SnappedCentre", "ClipCorners"};
+constexpr std::array<Names, 4> kPoint{"Exact", "SnappedCentre", "SnappedCorners", "ClipCorners"};
 constexpr std::array<Names, 3> kLine{"Exact", "Float32Corners", "ClipCorners"};
 constexpr std::array<Names, 2> kDiamond{"Vulkan", "Direct3D11"};
 constexpr std::array<Names, 4> kBiasUnit{"OneStep", "TwoSteps", "OneStepOfRange", "OneStepAndPercent"};
@@ -147,6 +149,7 @@ Rules rulesFor(const Scene& scene, const Rules& rules) {
   for (const ChoiceInfo& row : kTable) {
     if (isOpen(rules, row.choice) && dependsOn(scene, row.choice)) applied.open = true;
   }
+  if (drawsSmoothLines(scene.state)) applied.open = true;  // [vk:primsrast-lines-smooth] no profile says more
   if (isOpen(rules, Choice::Centroid)) applied.choices.valuesOpen = true;
   return applied;
 }

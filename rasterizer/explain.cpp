@@ -9,6 +9,7 @@
 #include "rasterizer/fragment_replay.hpp"
 #include "rasterizer/freedom_band.hpp"
 #include "rasterizer/lines/line_coverage.hpp"
+#include "rasterizer/sample_grid.hpp"
 #include "rasterizer/sample_pattern.hpp"
 #include "rasterizer/shape.hpp"
 #include "rasterizer/target_area.hpp"
@@ -192,6 +193,14 @@ Result<SampleExplanation> explain(const Scene& scene, const Rules& profile, Samp
                 fmt::format("sample {} of pixel ({}, {}) is outside the target of {} × {} pixels with {} sample(s)",
                             query.sample, query.x, query.y, scene.target.width, scene.target.height, scene.target.samples),
                 "X and Y count pixels from the top-left corner, samples count from 0");
+  }
+  if (scene.target.sampleLocations) {
+    const Result<SampleGrid> grid = SampleGrid::of(scene, rules);
+    if (!grid) return tl::unexpected<Error>(grid.error());
+    const GridPlace& place = grid->ofPixel(query.x, query.y);
+    Result<SampleExplanation> explanation = explain(place.scene, place.rules, query);
+    if (explanation) explanation->rules.push_back(Rule::CustomLocations);
+    return explanation;
   }
   const std::vector<SubpixelPosition> pattern = *samplePattern(scene.target.samples, rules);
   SampleExplanation result;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "rasterizer/explain.hpp"
+#include "rasterizer/lines/smooth_line.hpp"
 #include "scene/needs.hpp"
 
 namespace rasterdiff::rasterizer {
@@ -77,6 +78,7 @@ void addState(RuleList& list, const Scene& scene) {
   const bool points = state.topology == PrimitiveTopology::POINT_LIST, edges = state.polygonMode == PolygonMode::LINE;
   list.addIf(points || (!lineOrPoint && state.polygonMode == PolygonMode::POINT), Rule::PointSquare);
   list.addIf((lineOrPoint && !points) || (!lineOrPoint && edges), bresenham ? Rule::LineBresenham : Rule::LineRectangle);
+  list.addIf(drawsSmoothLines(state), Rule::SmoothLine);
   list.add(Rule::ViewportMap);
 }
 

@@ -21,7 +21,8 @@ FigureRules::FigureRules(const Scene& scene, const Rules& rules, const Primitive
     return;
   }
   const bool bresenham = state.lineRasterizationMode == LineRasterizationMode::BRESENHAM;
-  add(bresenham ? Rule::LineBresenham : Rule::LineRectangle);
+  const bool smooth = state.lineRasterizationMode == LineRasterizationMode::RECTANGULAR_SMOOTH;
+  add(bresenham ? Rule::LineBresenham : smooth ? Rule::SmoothLine : Rule::LineRectangle);
   if (state.lineRasterizationMode == LineRasterizationMode::DEFAULT) add(Rule::DefaultLine);
   if (bresenham && figure.size > 1) add(Rule::WideBresenham);
   if (bresenham && scene.target.samples > 1) add(Rule::BresenhamSamples);

@@ -141,7 +141,10 @@ LineStyle FigureMaker::lineStyle() const {
 }
 
 void FigureMaker::addLine(Primitive& primitive, const LineEnds& ends, bool ofPolygon, bool optional) {
+  const bool smooth = scene_.state.lineRasterizationMode == LineRasterizationMode::RECTANGULAR_SMOOTH;
+  if (smooth && rules_.error == DeliberateError::SmoothLinesDropped) return;
   LineStyle style = lineStyle();
+  if (smooth && rules_.error == DeliberateError::SmoothLinesWide) style.width += 6;
   style.ofPolygon = ofPolygon;
   const double dx = ends.b.position.x - ends.a.position.x, dy = ends.b.position.y - ends.a.position.y;
   if (rules_.error == DeliberateError::LineWidthOfXMajorOnly && std::fabs(dy) > std::fabs(dx)) style.width = 1;

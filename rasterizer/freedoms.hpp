@@ -20,6 +20,7 @@ enum class Freedom : uint8_t {
   LineWidthStep,       ///< widths between the advertised ones may be supported too
   LineAlgorithm,       ///< without strictLines: a parallelogram or a Bresenham line
   BresenhamDeviation,  ///< Bresenham lines: one pixel aside, one fragment more or less
+  SmoothLine,          ///< which pixels near a smooth line are covered, and how exactly their area is told
   LineClip,            ///< a line that leaves the clip volume may be cut or not
   StippleCarry,        ///< the remainder of a stippled line may be carried to the next segment
   LineInterpolation,  ///< values of non-strict and wide Bresenham lines: by projection or along the major axis

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "rasterizer/choice_table.hpp"
 #include "rasterizer/fragment/line_plane.hpp"
 #include "rasterizer/lines/line_style.hpp"
+#include "rasterizer/lines/smooth_line.hpp"
 #include "rasterizer/sample_pattern.hpp"
 #include "rasterizer/shape.hpp"
 #include "rasterizer/uncut_triangle.hpp"
@@ -69,6 +71,7 @@ PieceValues::PieceValues(const Scene& scene, const SceneNeeds& needs, const Rule
   needsDepth_ = needs.depth || builtIns_.observe(BuiltIn::FragCoord);
   // Undecorated inputs of a multisampled fragment may be evaluated outside the triangle, within its pixel.
   outside_ = multisampled || inputs_.anyAt(Location::Offset) ? 1 : 0;
+  hasAlpha_ = !scene.draws.empty() && !scene.draws[0].varyings.empty() && scene.draws[0].varyings[0].components == 4;
   planes_.inputs.resize(inputs_.size());
   constants_.resize(inputs_.size());
   const bool elsewhere = inputs_.anyAt(Location::Centroid) || inputs_.anyAt(Location::Sample) || inputs_.anyAt(Location::Offset);
@@ -82,6 +85,7 @@ bool PieceValues::setUpCurrent(const Primitive& primitive, const SetupTriangle* 
   piece_ = piece;
   figure_ = figure;
   atPoint_ = figure != nullptr && figure->kind == Figure::Kind::Point;
+  smoothLine_ = figure != nullptr && !atPoint_ && drawsSmoothLines(state_);
   varied_.reset();
   freeDepth_ = false;
   alternative_.reset();
@@ -280,6 +284,10 @@ Interpolated PieceValues::depth(double x, double y) const {
     return depthStage_.stored({z, z, z});
   }
   if (figure_ == nullptr && plainDepth_ && !uncut_) return toFloat(linearOver(planes_.depth, there));
+  if (smoothLine_) {
+    RegionStorage storage;
+    return depthStage_.stored(depthOver(nearby({x, y}, storage)));
+  }
   if (!freeDepth_) return depthStage_.stored(depthOver(there));
   // [vk:primsrast-lines-basic] a line's data are evaluated at the centre or at a sample of the fragment.
   const FragmentPlace place{static_cast<int32_t>(std::floor(x)), static_cast<int32_t>(std::floor(y)), 0, 0};
@@ -318,11 +326,33 @@ void PieceValues::fragmentAtCentre(const FragmentPlace& place, Interpolated* out
 }
 
 void PieceValues::fragment(const FragmentPlace& place, Interpolated* out) {
+  evaluate(place, out);
+  if (smoothLine_ && hasAlpha_ && rules_.error != DeliberateError::SmoothAlphaIgnored) out[3] = faded(place, out[3]);
+}
+
+EvaluationRegion PieceValues::nearby(Spot centre, RegionStorage& storage) {
+  constexpr double kAway = 2;  // pixels; more than kSmoothReach2
+  storage.box = {{{centre.x - kAway, centre.y - kAway}, {centre.x + kAway, centre.y - kAway},
+                  {centre.x + kAway, centre.y + kAway}, {centre.x - kAway, centre.y + kAway}}};
+  return {centre, storage.box};
+}
+
+Interpolated PieceValues::faded(const FragmentPlace& place, const Interpolated& alpha) const {
+  const Interval area = smoothCoverage(figure_->a, figure_->b, figure_->size, rules_.limits, place.x, place.y);
+  const double products[] = {alpha.bounds.lo * area.lo, alpha.bounds.lo * area.hi, alpha.bounds.hi * area.lo,
+                             alpha.bounds.hi * area.hi};
+  const auto [lo, hi] = std::minmax_element(std::begin(products), std::end(products));
+  const double rounding = 4 * kHalfUlp * std::max(std::fabs(*lo), std::fabs(*hi));
+  return toFloat({alpha.value * area.value, *lo - rounding, *hi + rounding});
+}
+
+void PieceValues::evaluate(const FragmentPlace& place, Interpolated* out) {
   if (varied_) return variedFragment(place, out);
   if (atCentre_ && figure_ == nullptr && !alternative_) {
     return location_.areaIsFree() ? fragmentAtCentre<5>(place, out) : fragmentAtCentre<1>(place, out);
   }
-  const EvaluationRegion centre = location_.around(centreOf(place), centreStorage_);
+  const EvaluationRegion centre =
+      smoothLine_ ? nearby(centreOf(place), centreStorage_) : location_.around(centreOf(place), centreStorage_);
   const bool triangle = figure_ == nullptr && !alternative_;
   const Denominator<4> denominator(planes_.reciprocalW, centre);  // of the many that are evaluated around the centre
   for (size_t c = 0; c < inputs_.size(); ++c) {
@@ -333,7 +363,7 @@ void PieceValues::fragment(const FragmentPlace& place, Interpolated* out) {
       const LinearFunction& f = planes_.inputs[c];
       *out++ = toFloat(component.kind == Kind::Linear ? linearOver(f, centre) : quotientOver(f, denominator, centre));
     } else {
-      *out++ = toFloat(inputOver(c, component.location == Location::Centre ? centre : regionOf(component, place)));
+      *out++ = toFloat(inputOver(c, component.location == Location::Centre || smoothLine_ ? centre : regionOf(component, place)));
     }
   }
   if (perSample_) count(Rule::SampleShading);

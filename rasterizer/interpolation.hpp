@@ -79,6 +79,12 @@ class PieceValues {
   void setUpLine(const Figure& figure);
   void setFigureBias(const Figure& figure);
   [[nodiscard]] Interval inputOver(size_t component, const EvaluationRegion& region) const;
+  /// fragment() but for the alpha of smooth lines.
+  void evaluate(const FragmentPlace& place, Interpolated* out);
+  /// Alpha tells how much of the pixel a smooth line covers. [vk:fragops-covg]
+  [[nodiscard]] Interpolated faded(const FragmentPlace& place, const Interpolated& alpha) const;
+  /// Where a smooth line's data may be evaluated in a pixel around `centre`: the line itself may be pixels away.
+  [[nodiscard]] static EvaluationRegion nearby(Spot centre, RegionStorage& storage);
   [[nodiscard]] Interval depthOver(const EvaluationRegion& region) const;
   [[nodiscard]] EvaluationRegion regionOf(const Component& component, const FragmentPlace& place);
   void count(Rule rule) const;
@@ -104,6 +110,8 @@ class PieceValues {
   std::optional<ValuePlanes> alternative_; ///< another legal parameter of a line, or the planes of the uncut triangle
   std::optional<std::array<RasterVertex, 3>> uncut_;  ///< of a cut triangle, where its planes may go through them
   bool atPoint_ = false;
+  bool smoothLine_ = false;  ///< the current figure is one
+  bool hasAlpha_ = false;    ///< the first varying has four components
   bool freeDepth_ = false;  ///< a line's depth may be that of the centre or of any sample
   const Primitive* primitive_ = nullptr;
   const SetupTriangle* piece_ = nullptr;

@@ -12,6 +12,7 @@
 #include "rasterizer/kernel_coverage.hpp"
 #include "rasterizer/lines/line_coverage.hpp"
 #include "rasterizer/mistakes/mistaken_scene.hpp"
+#include "rasterizer/sample_grid.hpp"
 #include "rasterizer/sample_pattern.hpp"
 #include "rasterizer/shape.hpp"
 #include "rasterizer/target_area.hpp"
@@ -268,6 +269,7 @@ class Renderer {
 Result<Frame> render(const Scene& scene, const Rules& profile, RuleCounts* counts) {
   const Rules rules = rulesFor(scene, profile);
   if (const Result<void> valid = validate(scene); !valid) return tl::unexpected<Error>(valid.error());
+  if (scene.target.sampleLocations) return renderGrid(scene, rules, counts);
   Result<std::vector<SubpixelPosition>> pattern = samplePattern(scene.target.samples, rules);
   if (!pattern) return tl::unexpected<Error>(pattern.error());
   RuleCounts own;

@@ -53,6 +53,8 @@ constexpr std::array<RuleInfo, static_cast<size_t>(Rule::Count_)> kRules{{
     {Rule::BresenhamSamples, "R31", "bresenham-samples", "vk:primsrast-lines-bresenham"},
     {Rule::HelperInvocation, "R43", "helper-invocation", "vk:shaders-helper-invocations"},
     {Rule::Invariance, "R49", "invariance", "vk:invariance"},
+    {Rule::CustomLocations, "R18", "custom-locations", "vk:primsrast-samplelocations"},
+    {Rule::SmoothLine, "R33", "smooth-line", "vk:primsrast-lines-smooth"},
     {Rule::SizeGranularity, "R51", "size-granularity", "vk:limits-lineWidthRange"},
 }};
 

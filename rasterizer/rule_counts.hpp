@@ -59,6 +59,8 @@ enum class Rule : uint8_t {
   BresenhamSamples,     ///< R31: one of several samples of a Bresenham line's pixel was covered
   HelperInvocation,     ///< R43: an uncovered pixel left or right of a covered one was shaded with it, for nothing
   Invariance,           ///< R49: a fragment met exactly the depth that an earlier one had stored
+  CustomLocations,      ///< R18: some, not all, samples of a pixel with locations of its own were covered
+  SmoothLine,           ///< R33: a sample was inside a smooth line
   SizeGranularity,      ///< R51: a sample was inside a point or line of fractional, rounded or clamped size
   Count_,
 };

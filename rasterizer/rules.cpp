@@ -48,10 +48,11 @@ Result<Rules> Rules::profile(std::string_view name, const Limits& limits) {
     return rules;
   }
   // Direct3D 11.3, where it is stricter than Vulkan: vertices on a grid of 16.8 bits, nearest even, through which values
-  // are interpolated too; its own diamond; the smallest step of a fixed-point depth. Top-left ties, the larger component
+  // are interpolated too; points as two triangles around the snapped vertex; its own diamond; the smallest step of a fixed-point depth. Top-left ties, the larger component
   // of the slope, no bias on lines and points, and the first covered sample as centroid are the reference's answers.
   if (name == "d3d11") {
     rules.choices.subPixelBits = 8;
+    rules.choices.pointArithmetic = PointArithmetic::SnappedCorners;
     rules.choices.diamondExit = DiamondExit::Direct3D11;
     rules.choices.depthBiasUnit = DepthBiasUnit::OneStepOfRange;
     rules.choices.planePositions = PlanePositions::Snapped;

@@ -74,6 +74,7 @@ enum class ClipArithmetic : uint8_t {
 enum class PointArithmetic : uint8_t {
   Exact,          ///< around the unrounded vertex
   SnappedCentre,  ///< around the float32 vertex snapped (halves away from zero), its side in whole subpixels and at least one pixel
+  SnappedCorners, ///< around the snapped vertex, its half side in whole subpixels; ties by the tie owner, as two triangles have them
   ClipCorners,    ///< corners made in clip space in float32, cut at the view volume's sides, each snapped like a vertex
 };
 

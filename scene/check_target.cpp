@@ -67,6 +67,33 @@ Check checkScissor(const std::string& where, const Rect2D& scissor, uint32_t sup
   return axis(".y", scissor.y, ".height", scissor.height);
 }
 
+/// [vk:VkSampleLocationsInfoEXT]
+Check checkSampleLocations(const Target& target) {
+  if (!target.sampleLocations) return {};
+  const SampleLocationsInfo& info = *target.sampleLocations;
+  const std::string where = "target.sampleLocations";
+  if (target.samples == 1) return bad(where, "one sample a pixel stays at the centre", "set target.samples to 4");
+  for (const uint32_t extent : {info.gridWidth, info.gridHeight}) {
+    if (extent < 1 || extent > kMaxSampleLocationGrid) {
+      return bad(where + ".sampleLocationGridSize", fmt::format("{} is outside 1..{}", extent, kMaxSampleLocationGrid));
+    }
+  }
+  const size_t wanted = size_t{target.samples} * info.gridWidth * info.gridHeight;
+  if (info.sampleLocations.size() != wanted) {
+    return bad(where + ".sampleLocations", fmt::format("{} locations for {} samples of {} × {} pixels",
+                                                       info.sampleLocations.size(), target.samples, info.gridWidth,
+                                                       info.gridHeight),
+               fmt::format("{} locations", wanted));
+  }
+  for (size_t i = 0; i < wanted; ++i) {
+    const SampleLocationEXT& location = info.sampleLocations[i];
+    if (!std::isfinite(location.x) || !std::isfinite(location.y)) {
+      return bad(fmt::format("{}.sampleLocations[{}]", where, i), "a location that is not finite");
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 /// A scene's name becomes part of file names (dumps, reports): it stays below the folder that it is written to.
@@ -123,7 +150,7 @@ Check checkTarget(const Target& target) {
       return bad("target.depthResolveMode", "no depth attachment to resolve", "set target.depthFormat to D32_SFLOAT");
     }
   }
-  return {};
+  return checkSampleLocations(target);
 }
 
 Check checkViewports(const Scene& scene) {

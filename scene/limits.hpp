@@ -12,6 +12,10 @@ struct Limits {
   uint32_t viewportSubPixelBits = 0;
   uint32_t framebufferSampleCounts = 0x5;  ///< bit n set: n samples offered (1, 4, ...)
   bool standardSampleLocations = true;
+  uint32_t sampleLocationSampleCounts = 0;  ///< bit n set: custom locations for n samples
+  uint32_t maxSampleLocationGridWidth = 1, maxSampleLocationGridHeight = 1;
+  float sampleLocationCoordinateMin = 0, sampleLocationCoordinateMax = 0.9375F;  ///< sampleLocationCoordinateRange
+  uint32_t sampleLocationSubPixelBits = 4;
   uint32_t maxFramebufferWidth = 16384, maxFramebufferHeight = 16384;
   bool provokingVertexLast = true;
   bool depthClipControl = true;

@@ -13,6 +13,20 @@
 
 namespace rasterdiff {
 
+/// VkSampleLocationEXT: fractions of the pixel, y down.
+struct SampleLocationEXT {
+  float x = 0, y = 0;
+  friend bool operator==(const SampleLocationEXT&, const SampleLocationEXT&) = default;
+};
+
+/// VkSampleLocationsInfoEXT; sampleLocationsPerPixel is the target's number of samples. The location of sample s of pixel
+/// (x, y) is [(x mod gridWidth + y mod gridHeight · gridWidth) · samples + s]. [vk:primsrast-samplelocations]
+struct SampleLocationsInfo {
+  uint32_t gridWidth = 1, gridHeight = 1;  ///< sampleLocationGridSize
+  std::vector<SampleLocationEXT> sampleLocations{};
+  friend bool operator==(const SampleLocationsInfo&, const SampleLocationsInfo&) = default;
+};
+
 struct Target {
   uint32_t width = 0, height = 0;  ///< pixels
   uint32_t samples = 1;            ///< rasterizationSamples
@@ -20,6 +34,7 @@ struct Target {
   bool resolve = false;            ///< the varyings are also resolved to one value a pixel (AVERAGE)
   std::optional<DepthFormat> depthFormat{};
   std::optional<ResolveMode> depthResolveMode{};  ///< the depth is also resolved to one value a pixel
+  std::optional<SampleLocationsInfo> sampleLocations{};  ///< none: the standard ones
   float depthClearValue = 1;       ///< what the depth attachment holds before the first draw
   friend bool operator==(const Target&, const Target&) = default;
 };
@@ -100,6 +115,7 @@ inline constexpr uint32_t kRestartIndex = 0xFFFFFFFF;
 inline constexpr uint32_t kMaxDistances = 8;
 inline constexpr uint32_t kMaxViewports = 16;  ///< of a scene; the first is Scene::viewport
 inline constexpr uint32_t kMaxSupersample = 32;
+inline constexpr uint32_t kMaxSampleLocationGrid = 8;  ///< pixels each way
 inline constexpr uint32_t kMaxLineStippleFactor = 256;
 inline constexpr uint32_t kMaxVaryings = 8;
 inline constexpr uint32_t kMaxTargetExtent = 16384;

@@ -85,6 +85,31 @@ Limits limitsOf(const Features& features, const VkPhysicalDeviceLimits& vk, VkPo
   return limits;
 }
 
+/// [vk:VkPhysicalDeviceSampleLocationsPropertiesEXT]
+void inspectSampleLocations(VkPhysicalDevice physicalDevice, Capabilities& caps) {
+  const auto& extensions = caps.features.extensions;
+  const auto same = [](std::string_view name) { return name == VK_EXT_SAMPLE_LOCATIONS_EXTENSION_NAME; };
+  if (std::none_of(extensions.begin(), extensions.end(), same)) return;
+  auto offered = vkStruct<VkPhysicalDeviceSampleLocationsPropertiesEXT>(
+      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SAMPLE_LOCATIONS_PROPERTIES_EXT);
+  auto properties = vkStruct<VkPhysicalDeviceProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &offered);
+  vkGetPhysicalDeviceProperties2(physicalDevice, &properties);
+  Limits& limits = caps.limits;
+  limits.sampleLocationSampleCounts = offered.sampleLocationSampleCounts;
+  limits.maxSampleLocationGridWidth = offered.maxSampleLocationGridSize.width;
+  limits.maxSampleLocationGridHeight = offered.maxSampleLocationGridSize.height;
+  limits.sampleLocationCoordinateMin = offered.sampleLocationCoordinateRange[0];
+  limits.sampleLocationCoordinateMax = offered.sampleLocationCoordinateRange[1];
+  limits.sampleLocationSubPixelBits = offered.sampleLocationSubPixelBits;
+  for (size_t i = 0; i < caps.sampleLocationGrids.size(); ++i) {
+    const auto samples = static_cast<VkSampleCountFlagBits>(1U << i);
+    if (!(limits.sampleLocationSampleCounts & (1U << i))) continue;
+    auto grid = vkStruct<VkMultisamplePropertiesEXT>(VK_STRUCTURE_TYPE_MULTISAMPLE_PROPERTIES_EXT);
+    vkGetPhysicalDeviceMultisamplePropertiesEXT(physicalDevice, samples, &grid);
+    caps.sampleLocationGrids[i] = grid.maxSampleLocationGridSize;
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> extensionsOf(VkPhysicalDevice physicalDevice) {
@@ -130,6 +155,7 @@ Result<Capabilities> inspect(VkPhysicalDevice physicalDevice) {
 
   caps.limits = limitsOf(caps.features, base.limits, clipping.pointClippingBehavior);
   caps.limits.framebufferSampleCounts = framebufferSampleCounts(physicalDevice, base.limits);
+  inspectSampleLocations(physicalDevice, caps);
   for (size_t i = 0; i < kDepthFormats.size(); ++i) {
     caps.depthSampleCounts[i] = sampleCountsOf(physicalDevice, static_cast<VkFormat>(kDepthFormats[i]));
   }

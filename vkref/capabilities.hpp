@@ -24,6 +24,7 @@ struct Capabilities {
   Features features;            ///< offered and enabled
   std::array<VkSampleCountFlags, kDepthFormats.size()> depthSampleCounts{};  ///< as kDepthFormats; 0: not offered
   VkResolveModeFlags depthResolveModes = 0;
+  std::array<VkExtent2D, 5> sampleLocationGrids{};  ///< largest, for 1, 2, 4, 8 and 16 samples; 0 × 0: not offered
   VkDeviceSize largestHeap = 0;  ///< bytes
 
   [[nodiscard]] const VkPhysicalDeviceFeatures& core() const { return features.core.features; }

@@ -52,7 +52,7 @@ Features featuresOf(VkPhysicalDevice physicalDevice, const std::vector<std::stri
   Features offered;
   for (const char* name : {VK_EXT_PROVOKING_VERTEX_EXTENSION_NAME, VK_EXT_DEPTH_CLIP_CONTROL_EXTENSION_NAME,
                            VK_EXT_DEPTH_CLIP_ENABLE_EXTENSION_NAME, VK_EXT_LINE_RASTERIZATION_EXTENSION_NAME,
-                           VK_EXT_PRIMITIVE_TOPOLOGY_LIST_RESTART_EXTENSION_NAME}) {
+                           VK_EXT_PRIMITIVE_TOPOLOGY_LIST_RESTART_EXTENSION_NAME, VK_EXT_SAMPLE_LOCATIONS_EXTENSION_NAME}) {
     if (std::binary_search(extensions.begin(), extensions.end(), name)) offered.extensions.push_back(name);
   }
   vkGetPhysicalDeviceFeatures2(physicalDevice, offered.chain());

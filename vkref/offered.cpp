@@ -46,6 +46,25 @@ Result<void> checkDepthFormat(DepthFormat format, uint32_t samples, const Capabi
                                                       samples == 1 ? "" : "s"));
 }
 
+/// [vk:VkPipelineSampleLocationsStateCreateInfoEXT]
+Result<void> checkSampleLocations(const Target& target, const SampleLocationsInfo& info, const Capabilities& caps) {
+  const std::string where = "target.sampleLocations";
+  if (caps.limits.sampleLocationSampleCounts == 0) return notOffered(where, "needs VK_EXT_sample_locations");
+  if (!(caps.limits.sampleLocationSampleCounts & target.samples)) {
+    return notOffered(where, fmt::format("not offered with {} samples", target.samples));
+  }
+  const VkExtent2D grid = caps.sampleLocationGrids[static_cast<size_t>(std::countr_zero(target.samples))];
+  const auto divides = [](uint32_t extent, uint32_t largest) { return largest >= extent && largest % extent == 0; };
+  if (!divides(info.gridWidth, grid.width) || !divides(info.gridHeight, grid.height)) {
+    return notOffered(where + ".sampleLocationGridSize",
+                      fmt::format("{} × {} does not divide the device's grid of {} × {}", info.gridWidth,
+                                  info.gridHeight, grid.width, grid.height));
+  }
+  // Layout transitions of a depth image that was drawn with them would have to be told the locations.
+  if (target.depthFormat) return notOffered(where, "custom sample locations are drawn without a depth attachment only");
+  return {};
+}
+
 Result<void> checkViewport(const std::string& where, const Viewport& viewport, const Capabilities& caps) {
   const VkPhysicalDeviceLimits& vk = caps.vk;
   const float lowest = vk.viewportBoundsRange[0], highest = vk.viewportBoundsRange[1];
@@ -71,6 +90,10 @@ Result<void> checkOffered(const Scene& scene, const RenderPlan& plan, const Capa
   }
   if (scene.target.depthResolveMode && !(caps.depthResolveModes & static_cast<VkResolveModeFlags>(plan.depthResolve))) {
     return notOffered("target.depthResolveMode", fmt::format("{} is not offered", enumName(*scene.target.depthResolveMode)));
+  }
+  if (scene.target.sampleLocations) {
+    const Result<void> locations = checkSampleLocations(scene.target, *scene.target.sampleLocations, caps);
+    if (!locations) return locations;
   }
   if (const Result<void> viewport = checkViewport("viewport", scene.viewport, caps); !viewport) return viewport;
   for (size_t i = 0; i < scene.furtherViewports.size(); ++i) {

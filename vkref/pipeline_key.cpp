@@ -44,7 +44,13 @@ PipelineKey pipelineKey(const Scene& scene, const RenderPlan& plan, const PassPl
   key.sampleMask = ~state.sampleMask & all;
   key.sampleShading = state.sampleShadingEnable || plan.sampleShading;
   if (key.sampleShading) key.minSampleShading = plan.sampleShading ? 1 : state.minSampleShading;
-  key.alphaToCoverage = plan.alphaToCoverage;
+  key.alphaToCoverage = state.alphaToCoverageEnable;
+  key.alphaFirst = plan.alphaFirst;
+  if (const auto& custom = scene.target.sampleLocations) {
+    for (const SampleLocationEXT& location : custom->sampleLocations) key.sampleLocations.push_back({location.x, location.y});
+    key.sampleLocationGridWidth = custom->gridWidth;
+    key.sampleLocationGridHeight = custom->gridHeight;
+  }
   key.extras = extrasOf(scene, plan);
   key.clipDistances = draw.clipDistanceCount;
   key.cullDistances = draw.cullDistanceCount;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <compare>
+#include <vector>
 
 #include "scene/scene.hpp"
 #include "vkref/plan.hpp"
@@ -12,6 +13,9 @@
 #include "vkref/spirv_patch.hpp"
 
 namespace rasterdiff::vkref {
+
+/// VkSampleLocationEXT, ordered.
+using SampleLocation2D = std::array<float, 2>;
 
 struct PipelineKey {
   uint32_t samples = 1;
@@ -32,7 +36,9 @@ struct PipelineKey {
   uint32_t sampleMask = 0;    ///< bits of samples that are masked out
   bool sampleShading = false;
   float minSampleShading = 0;
-  bool alphaToCoverage = false;
+  bool alphaToCoverage = false, alphaFirst = false;
+  std::vector<SampleLocation2D> sampleLocations{};  ///< none: the standard ones
+  uint32_t sampleLocationGridWidth = 1, sampleLocationGridHeight = 1;
   VertexExtras extras{};
   uint32_t clipDistances = 0, cullDistances = 0;
   uint32_t viewports = 1;

@@ -84,11 +84,22 @@ MultisampleState::MultisampleState(const PipelineKey& key) : mask(~key.sampleMas
   info.minSampleShading = key.minSampleShading;
   info.pSampleMask = key.sampleMask != 0 ? &mask : nullptr;
   info.alphaToCoverageEnable = key.alphaToCoverage;
+  if (key.sampleLocations.empty()) return;
+  // [vk:primsrast-samplelocations]
+  for (const SampleLocation2D& at : key.sampleLocations) locations.push_back({at[0], at[1]});
+  custom.sType = VK_STRUCTURE_TYPE_PIPELINE_SAMPLE_LOCATIONS_STATE_CREATE_INFO_EXT;
+  custom.sampleLocationsEnable = VK_TRUE;
+  custom.sampleLocationsInfo.sType = VK_STRUCTURE_TYPE_SAMPLE_LOCATIONS_INFO_EXT;
+  custom.sampleLocationsInfo.sampleLocationsPerPixel = info.rasterizationSamples;
+  custom.sampleLocationsInfo.sampleLocationGridSize = {key.sampleLocationGridWidth, key.sampleLocationGridHeight};
+  custom.sampleLocationsInfo.sampleLocationsCount = static_cast<uint32_t>(locations.size());
+  custom.sampleLocationsInfo.pSampleLocations = locations.data();
+  info.pNext = &custom;
 }
 
 ColorOutput::ColorOutput(const PipelineKey& key) {
-  const uint32_t first = key.alphaToCoverage ? 1 : 0;
-  if (key.alphaToCoverage) add(varyingFormat(key.components[0]));
+  const uint32_t first = key.alphaFirst ? 1 : 0;
+  if (key.alphaFirst) add(varyingFormat(key.components[0]));
   if (key.primitives != PrimitiveSource::None) {
     add(kPrimitiveFormat);
     add(kCountFormat, /*adds=*/true);

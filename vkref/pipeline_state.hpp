@@ -47,6 +47,8 @@ struct MultisampleState {
   MultisampleState& operator=(const MultisampleState&) = delete;
 
   VkSampleMask mask = 0;
+  std::vector<VkSampleLocationEXT> locations;
+  VkPipelineSampleLocationsStateCreateInfoEXT custom{};
   VkPipelineMultisampleStateCreateInfo info{};
 };
 

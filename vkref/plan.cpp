@@ -5,6 +5,7 @@
 
 #include "scene/built_ins.hpp"
 #include "scene/needs.hpp"
+#include "vkref/primitive_class.hpp"
 
 namespace rasterdiff::vkref {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 /// A pass without planes of its own yet.
 PassPlan newPass(const RenderPlan& plan) {
   PassPlan pass;
-  if (plan.alphaToCoverage) {
+  if (plan.alphaFirst) {
     pass.attachments.push_back(kFirstVarying);
     pass.varyings.push_back(0);
   }
@@ -35,7 +36,10 @@ RenderPlan planOf(const Scene& scene, const Capabilities& caps) {
   if (needs.depth) plan.depth = static_cast<VkFormat>(*scene.target.depthFormat);
   plan.resolve = needs.resolve;
   if (scene.target.depthResolveMode) plan.depthResolve = static_cast<VkResolveModeFlagBits>(*scene.target.depthResolveMode);
-  plan.alphaToCoverage = scene.state.alphaToCoverageEnable;
+  // [vk:fragops-covg] alpha to coverage takes the alpha of location 0, smooth lines change it.
+  const bool smooth = drawsLines(scene.state) && scene.state.lineRasterizationMode == LineRasterizationMode::RECTANGULAR_SMOOTH;
+  plan.alphaFirst = scene.state.alphaToCoverageEnable ||
+                    (smooth && needs.varyings > 0 && scene.draws.front().varyings.front().components == 4);
   // [vk:primsrast-sampleshading] one shader that reads either built-in runs for every sample; so do all our passes.
   plan.sampleShading = observes(scene, BuiltIn::SampleId) || observes(scene, BuiltIn::SamplePosition);
   plan.viewportIndex = !scene.furtherViewports.empty() && caps.core().multiViewport &&
@@ -51,7 +55,7 @@ RenderPlan planOf(const Scene& scene, const Capabilities& caps) {
   PassPlan pass = newPass(plan);
   pass.primitives = true;
   pass.attachments.insert(pass.attachments.end(), {0, 1});
-  for (uint32_t v = plan.alphaToCoverage ? 1 : 0; v < needs.varyings; ++v) {
+  for (uint32_t v = plan.alphaFirst ? 1 : 0; v < needs.varyings; ++v) {
     if (pass.attachments.size() == perPass || pass.varyings.size() == kMaxVaryingsPerPass) {
       plan.passes.push_back(std::move(pass));
       pass = newPass(plan);
@@ -73,7 +77,7 @@ RenderPlan planOf(const Scene& scene, const Capabilities& caps) {
 bool resolves(const RenderPlan& plan, const PassPlan& pass, size_t output) {
   const uint32_t attachment = pass.attachments[output];
   const bool varying = attachment >= kFirstVarying && attachment < kFirstVarying + plan.varyings;
-  const bool again = plan.alphaToCoverage && output == 0 && !pass.primitives;
+  const bool again = plan.alphaFirst && output == 0 && !pass.primitives;
   return plan.resolve && varying && !again;
 }
 

@@ -35,7 +35,7 @@ struct RenderPlan {
   VkFormat depth = VK_FORMAT_UNDEFINED;
   bool resolve = false;               ///< each varying also has a resolved image of one sample
   VkResolveModeFlagBits depthResolve = VK_RESOLVE_MODE_NONE;  ///< by the first pass, into an image of one sample
-  bool alphaToCoverage = false;       ///< output 0 of every pass is the first varying, where Vulkan looks for alpha
+  bool alphaFirst = false;            ///< output 0 of every pass is the first varying, where Vulkan looks for alpha
   bool sampleShading = false;         ///< of every sample: SampleId or SamplePosition is observed
   bool viewportIndex = false;         ///< the vertex shader chooses; else a draw with its own viewport sets it
   std::vector<PassPlan> passes;

@@ -1,4 +1,5 @@
 // Pipeline state: facing, polygon mode, depth, lines, points, samples.
+#include <algorithm>
 #include <array>
 
 #include "harness/hunt/ingredients.hpp"
@@ -61,8 +62,10 @@ void clipControl(Kitchen& k) { k.scene.state.negativeOneToOne = k.limits.depthCl
 void lines(Kitchen& k) {
   using enum LineRasterizationMode;
   State& state = k.scene.state;
-  const LineRasterizationMode mode = oneOf(k.random, {DEFAULT, RECTANGULAR, RECTANGULAR, BRESENHAM});
-  const bool offered = mode == DEFAULT || (mode == RECTANGULAR ? k.limits.rectangularLines : k.limits.bresenhamLines);
+  const LineRasterizationMode mode = oneOf(k.random, {DEFAULT, RECTANGULAR, RECTANGULAR, BRESENHAM, BRESENHAM, RECTANGULAR_SMOOTH});
+  const bool offered = mode == DEFAULT || (mode == RECTANGULAR  ? k.limits.rectangularLines
+                                           : mode == BRESENHAM ? k.limits.bresenhamLines
+                                                               : k.limits.smoothLines);
   state.lineRasterizationMode = offered ? mode : DEFAULT;
   state.lineWidth = oneOf(k.random, {1.0F, 1.0F, 1.0F, 2.0F, 3.0F, 1.5F, 5.25F, 17.0F});
   if (state.lineWidth > k.limits.lineWidthMax) state.lineWidth = 1;
@@ -70,6 +73,7 @@ void lines(Kitchen& k) {
 
 void stipple(Kitchen& k) {
   State& state = k.scene.state;
+  if (state.lineRasterizationMode == LineRasterizationMode::RECTANGULAR_SMOOTH) return;  // a feature of its own
   const bool offered = state.lineRasterizationMode == LineRasterizationMode::BRESENHAM ? k.limits.stippledBresenhamLines
                                                                                        : k.limits.stippledRectangularLines;
   state.stippledLineEnable = offered && k.random.chance(85);
@@ -94,6 +98,24 @@ void samples(Kitchen& k) {
   uint32_t wanted = oneOf(k.random, {1U, 4U, 4U, 4U, 2U, 8U, 16U});
   if ((k.limits.framebufferSampleCounts & wanted) == 0) wanted = k.random.chance(70) ? 4 : 1;
   k.scene.target.samples = wanted;
+}
+
+/// A table of sixteenths for each pixel of a small grid, some of them beyond the range.
+void sampleLocations(Kitchen& k) {
+  Target& target = k.scene.target;
+  target.sampleLocations.reset();
+  if (target.samples == 1) samples(k);
+  if (target.samples == 1 || (k.limits.sampleLocationSampleCounts & target.samples) == 0) return;
+  SampleLocationsInfo info;
+  info.gridWidth = std::min(oneOf(k.random, {1U, 1U, 2U, 4U}), k.limits.maxSampleLocationGridWidth);
+  info.gridHeight = std::min(oneOf(k.random, {1U, 1U, 2U, 4U}), k.limits.maxSampleLocationGridHeight);
+  const auto coordinate = [&] { return k.random.chance(10) ? oneOf(k.random, {-0.25F, 1.0F, 1.5F}) : static_cast<float>(k.random.below(16)) / 16; };
+  const uint32_t count = target.samples * info.gridWidth * info.gridHeight;
+  for (uint32_t i = 0; i < count; ++i) {
+    const float x = coordinate(), y = coordinate();
+    info.sampleLocations.push_back({x, y});
+  }
+  target.sampleLocations = std::move(info);
 }
 
 void sampleMask(Kitchen& k) {
@@ -124,7 +146,7 @@ constexpr std::array kIngredients{
     Ingredient{"stipple", stipple},         Ingredient{"point-size", pointSize},
     Ingredient{"samples", samples},         Ingredient{"sample-mask", sampleMask},
     Ingredient{"sample-shading", sampleShading}, Ingredient{"alpha", alpha},
-    Ingredient{"resolve", resolve},
+    Ingredient{"resolve", resolve},         Ingredient{"sample-locations", sampleLocations},
 };
 
 }  // namespace

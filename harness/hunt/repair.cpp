@@ -56,10 +56,16 @@ void repair(Scene& scene, Prng& random) {
   const bool many = scene.target.samples > 1;
   if (!many || varyings.empty()) scene.target.resolve = false;
   if (!many || varyings.empty() || varyings.front().components != 4) state.alphaToCoverageEnable = false;
+  if (const auto& custom = scene.target.sampleLocations) {
+    const size_t wanted = size_t{scene.target.samples} * custom->gridWidth * custom->gridHeight;
+    if (!many || custom->sampleLocations.size() != wanted) scene.target.sampleLocations.reset();
+  }
   const bool points = state.topology == POINT_LIST || state.polygonMode == PolygonMode::POINT;
   if (!points) std::erase(scene.builtIns, BuiltIn::PointCoord);
   const bool lines = makesLines(state.topology) || state.polygonMode == PolygonMode::LINE;
-  if (lines && state.lineRasterizationMode == LineRasterizationMode::BRESENHAM) {
+  const bool smooth = state.lineRasterizationMode == LineRasterizationMode::RECTANGULAR_SMOOTH;
+  if (smooth) state.stippledLineEnable = false;  // a feature of its own
+  if (lines && (smooth || state.lineRasterizationMode == LineRasterizationMode::BRESENHAM)) {
     // [vk:VkGraphicsPipelineCreateInfo] such lines exclude what works sample by sample
     state.alphaToCoverageEnable = state.sampleShadingEnable = false;
   }

@@ -12,6 +12,13 @@ using Change = void (*)(Scene&);
 const std::array kChanges{
     Change{[](Scene& s) { s.state = State{.topology = s.state.topology}; }},
     Change{[](Scene& s) { s.target.depthFormat.reset(); }},
+    Change{[](Scene& s) { s.target.sampleLocations.reset(); }},
+    Change{[](Scene& s) {
+      if (!s.target.sampleLocations) return;
+      SampleLocationsInfo& info = *s.target.sampleLocations;
+      info.gridWidth = info.gridHeight = 1;
+      info.sampleLocations.resize(s.target.samples);
+    }},
     Change{[](Scene& s) { s.target.samples = 1; }},
     Change{[](Scene& s) { if (s.target.samples > 4) s.target.samples = 4; }},
     Change{[](Scene& s) { s.target.resolve = false; }},

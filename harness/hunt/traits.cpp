@@ -13,8 +13,8 @@ constexpr std::array<std::string_view, static_cast<size_t>(Trait::Count_)> kName
     "scissor", "viewport-elsewhere", "viewport-flipped", "depth-range", "several-viewports",
     "leaves-sides", "leaves-depth", "no-positive-w", "perspective", "negative-one-to-one",
     "depth", "depth-unorm", "depth-test", "depth-bias", "depth-clamp", "depth-clip-stated",
-    "wide-line", "bresenham", "rectangular", "stipple", "large-point", "small-point",
-    "clip-distance", "cull-distance", "sample-mask", "sample-mask-at-one-sample", "sample-shading", "alpha-to-coverage", "resolve",
+    "wide-line", "bresenham", "rectangular", "smooth-line", "stipple", "large-point", "small-point",
+    "clip-distance", "cull-distance", "sample-mask", "sample-mask-at-one-sample", "sample-shading", "alpha-to-coverage", "resolve", "sample-locations",
     "smooth", "noperspective", "flat", "centroid", "sample", "offset",
     "frag-coord", "front-facing", "point-coord", "sample-mask-in", "sample-id", "sample-position",
     "non-finite"};
@@ -72,6 +72,7 @@ class Collector {
     set(Trait::WideLine, state.lineWidth != 1);
     set(Trait::Bresenham, state.lineRasterizationMode == LineRasterizationMode::BRESENHAM);
     set(Trait::Rectangular, state.lineRasterizationMode == LineRasterizationMode::RECTANGULAR);
+    set(Trait::SmoothLine, state.lineRasterizationMode == LineRasterizationMode::RECTANGULAR_SMOOTH);
     set(Trait::Stipple, state.stippledLineEnable);
   }
 
@@ -119,6 +120,7 @@ class Collector {
     set(Trait::SampleShading, scene_.state.sampleShadingEnable);
     set(Trait::AlphaToCoverage, scene_.state.alphaToCoverageEnable);
     set(Trait::Resolve, scene_.target.resolve);
+    set(Trait::SampleLocations, scene_.target.sampleLocations.has_value());
   }
 
   void vertices(const Draw& draw) {

@@ -17,8 +17,8 @@ enum class Trait : uint8_t {
   Scissor, ViewportElsewhere, ViewportFlipped, DepthRange, SeveralViewports,
   LeavesSides, LeavesDepth, NoPositiveW, Perspective, NegativeOneToOne,
   Depth, DepthUnorm, DepthTest, DepthBias, DepthClamp, DepthClipStated,
-  WideLine, Bresenham, Rectangular, Stipple, LargePoint, SmallPoint,
-  ClipDistance, CullDistance, SampleMask, SampleMaskAtOneSample, SampleShading, AlphaToCoverage, Resolve,
+  WideLine, Bresenham, Rectangular, SmoothLine, Stipple, LargePoint, SmallPoint,
+  ClipDistance, CullDistance, SampleMask, SampleMaskAtOneSample, SampleShading, AlphaToCoverage, Resolve, SampleLocations,
   Smooth, NoPerspective, Flat, Centroid, Sample, Offset,
   FragCoord, FrontFacing, PointCoord, SampleMaskIn, SampleId, SamplePosition,
   NonFinite, Count_

@@ -41,6 +41,11 @@ Scene pointScene(Prng& random, uint32_t samples, const Limits& limits) {
   const float smallest = std::min(largest, std::max(1.0F, limits.pointSizeMin));
   Scene scene = randomPoints({random.bits(), 40, someGrid(random), samples, smallest, largest, kFigureExtent});
   scene.name = "infer/points";
+  if (limits.pointSizeGranularity > 0) return scene;
+  // Half sides between grid points tell corners that are snapped one by one from a snapped centre.
+  for (float& size : scene.draws.front().pointSizes) {
+    size = std::min(size + static_cast<float>(random.below(128)) / 1024, largest);
+  }
   return scene;
 }
 

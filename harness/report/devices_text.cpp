@@ -27,6 +27,7 @@ std::vector<std::pair<std::string, std::string>> limitRows(const Limits& limits)
           {"viewportSubPixelBits", std::to_string(limits.viewportSubPixelBits)},
           {"samples", sampleCounts(limits.framebufferSampleCounts)},
           {"standardSampleLocations", std::string(yesNo(limits.standardSampleLocations))},
+          {"sampleLocationSampleCounts", limits.sampleLocationSampleCounts == 0 ? "none" : sampleCounts(limits.sampleLocationSampleCounts)},
           {"maxFramebuffer", fmt::format("{} x {}", limits.maxFramebufferWidth, limits.maxFramebufferHeight)},
           {"provokingVertexLast", std::string(yesNo(limits.provokingVertexLast))},
           {"depthClipControl", std::string(yesNo(limits.depthClipControl))}};

@@ -125,6 +125,12 @@ Limits limitsIn(const Json& json) {
   json.at("viewportSubPixelBits").get_to(limits.viewportSubPixelBits);
   json.at("framebufferSampleCounts").get_to(limits.framebufferSampleCounts);
   json.at("standardSampleLocations").get_to(limits.standardSampleLocations);
+  json.at("sampleLocationSampleCounts").get_to(limits.sampleLocationSampleCounts);
+  json.at("maxSampleLocationGridWidth").get_to(limits.maxSampleLocationGridWidth);
+  json.at("maxSampleLocationGridHeight").get_to(limits.maxSampleLocationGridHeight);
+  json.at("sampleLocationCoordinateMin").get_to(limits.sampleLocationCoordinateMin);
+  json.at("sampleLocationCoordinateMax").get_to(limits.sampleLocationCoordinateMax);
+  json.at("sampleLocationSubPixelBits").get_to(limits.sampleLocationSubPixelBits);
   json.at("maxFramebufferWidth").get_to(limits.maxFramebufferWidth);
   json.at("maxFramebufferHeight").get_to(limits.maxFramebufferHeight);
   json.at("provokingVertexLast").get_to(limits.provokingVertexLast);

@@ -1,6 +1,7 @@
 #include "rasterizer/fragment/value_freedoms.hpp"
 
 #include "rasterizer/fragment/sample_shading.hpp"
+#include "rasterizer/lines/smooth_line.hpp"
 
 namespace rasterdiff::rasterizer {
 namespace {
@@ -18,7 +19,8 @@ bool linesMayFollowTheMajorAxis(const State& state, const Limits& limits) {
   return lines && state.lineRasterizationMode == LineRasterizationMode::DEFAULT && !limits.strictLines;
 }
 
-Freedom ofVarying(Interpolation interpolation, bool multisampled, bool byMajorAxis) {
+Freedom ofVarying(Interpolation interpolation, bool multisampled, bool byMajorAxis, bool smoothLine) {
+  if (smoothLine) return Freedom::SmoothLine;
   switch (interpolation) {
     case Interpolation::smooth:
     case Interpolation::noperspective:
@@ -57,8 +59,9 @@ std::vector<Freedom> valueFreedoms(const Scene& scene, const Rules& rules) {
   if (scene.target.depthFormat) freedoms.push_back(ifOpen(ofDepth(scene.state)));
   const size_t varyings = scene.draws.empty() ? 0 : scene.draws[0].varyings.size();
   const bool byMajorAxis = linesMayFollowTheMajorAxis(scene.state, rules.limits);
+  const bool smoothLine = drawsSmoothLines(scene.state);
   for (size_t v = 0; v < varyings; ++v) {
-    freedoms.push_back(ifOpen(ofVarying(scene.draws[0].varyings[v].interpolation, multisampled, byMajorAxis)));
+    freedoms.push_back(ifOpen(ofVarying(scene.draws[0].varyings[v].interpolation, multisampled, byMajorAxis, smoothLine)));
   }
   const SampleShading shading = sampleShading(scene);
   for (const BuiltIn builtIn : scene.builtIns) freedoms.push_back(ifOpen(ofBuiltIn(builtIn, shading, multisampled)));

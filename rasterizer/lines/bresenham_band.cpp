@@ -106,7 +106,7 @@ struct Variant {
 class BresenhamBand final : public LineBand {
  public:
   BresenhamBand(const RasterVertex& a, const RasterVertex& b, const LineStyle& style, const Rules& rules)
-      : stipple_(style.stipple) {
+      : stipple_(style.stipple), ofPolygon_(style.ofPolygon) {
     const EndBox boxA(a), boxB(b);
     const Range x = magnitudes(boxB.x - boxA.x), y = magnitudes(boxB.y - boxA.y);
     const BresenhamWidth width = bresenhamWidth(style.width, rules.limits);
@@ -130,7 +130,7 @@ class BresenhamBand final : public LineBand {
       const int64_t major = variant.xMajor ? x : y, minor = variant.xMajor ? y : x;
       if (!mayProduce(variant, major, minor) || !mayDraw(variant, major)) continue;
       const bool unknown = stipple_.enabled && stipple_.start.free;
-      return {Coverage::Either, unknown ? Freedom::LineClip : Freedom::BresenhamDeviation, std::nullopt};
+      return {Coverage::Either, unknown ? (ofPolygon_ ? Freedom::StippleCarry : Freedom::LineClip) : Freedom::BresenhamDeviation, std::nullopt};
     }
     return {};
   }
@@ -165,6 +165,7 @@ class BresenhamBand final : public LineBand {
   }
 
   LineStipple stipple_;
+  bool ofPolygon_ = false;
   std::vector<Variant> variants_;
   double reach_ = 0;
 };

@@ -90,8 +90,11 @@ std::unique_ptr<Shape> makeLineShape(const LineEnds& ends, const LineStyle& styl
   PlacedBand cut;
   std::optional<PlacedBand> uncut;
   if (rules.open) {
-    if (!ends.removed) cut = PlacedBand(ends.a, ends.b, style, rules);
-    if (ends.uncut) uncut = PlacedBand((*ends.uncut)[0], (*ends.uncut)[1], style, rules);
+    LineStyle legal = style;
+    // [vk:primsrast-lines-stipple] tells of strips and lists where s begins, and nothing of the edges of a polygon.
+    legal.stipple.start.free = style.stipple.start.free || style.ofPolygon;
+    if (!ends.removed) cut = PlacedBand(ends.a, ends.b, legal, rules);
+    if (ends.uncut) uncut = PlacedBand((*ends.uncut)[0], (*ends.uncut)[1], legal, rules);
     if (uncut && !uncut->band) uncut.reset();
   }
   if (!nominal && !cut.band && !uncut) return nullptr;

@@ -41,7 +41,7 @@ struct LineStipple {
 
 struct LineStyle {
   /// DEFAULT is RECTANGULAR on a device with strictLines, else a parallelogram. RECTANGULAR_SMOOTH has the geometry of
-  /// RECTANGULAR; which pixels around it are covered is not modelled.
+  /// RECTANGULAR, and pixels near it are free (smooth_line.hpp).
   LineRasterizationMode mode = LineRasterizationMode::DEFAULT;
   float width = 1;         ///< pixels, as the pipeline state has it
   uint32_t samples = 1;    ///< of the target

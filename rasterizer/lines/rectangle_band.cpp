@@ -5,6 +5,7 @@
 #include "rasterizer/lines/end_box.hpp"
 #include "rasterizer/lines/line_band.hpp"
 #include "rasterizer/lines/line_width.hpp"
+#include "rasterizer/lines/smooth_line.hpp"
 #include "rasterizer/lines/stipple.hpp"
 #include "rasterizer/snap.hpp"
 
@@ -21,12 +22,16 @@ class RectangleBand final : public LineBand {
         length2_(squaredLength(a_, b_)) {
     const int64_t step = kSubpixelOne >> gridBits(rules);
     fixed_ = a_.fixed() && b_.fixed();
+    ofPolygon_ = style.ofPolygon;
+    smooth_ = style.mode == LineRasterizationMode::RECTANGULAR_SMOOTH;
     cornerMargin2_ = hasExactCorners(step) ? 0 : 3 * step + turn2();
     reach_ = static_cast<double>(width_.widest + cornerMargin2_) / 2 + static_cast<double>(a_.size() + b_.size()) + 2;
+    if (smooth_) reach_ += 2 * kSmoothReach2;  // of any sample of such a pixel
     if (length2_.low == 0) reach_ += static_cast<double>(width_.widest);
   }
 
   BandVerdict classify(int64_t px, int64_t py) const override {
+    if (smooth_) return classifySmooth(px, py);
     BandVerdict verdict = classifyOutline(px, py);
     if (verdict.coverage != Coverage::Out && stipple_.enabled) verdict = stippled(px, py, verdict);
     return verdict;
@@ -53,6 +58,20 @@ class RectangleBand final : public LineBand {
       freedom = Freedom::LineWidthStep;
     }
     return {Coverage::Either, freedom, std::nullopt};
+  }
+
+  // [vk:primsrast-lines-smooth] a pixel as a whole, by its centre; what a stipple leaves out, smoothing may touch.
+  [[nodiscard]] BandVerdict classifySmooth(int64_t px, int64_t py) const {
+    constexpr int64_t kHalf = kSubpixelOne / 2;
+    const auto centre = [](int64_t p) { return (p >> kSubpixelBits) * kSubpixelOne + kHalf; };
+    const BandVerdict free{Coverage::Either, Freedom::SmoothLine, std::nullopt};
+    if (length2_.low == 0) return free;  // within reach()
+    const int64_t x = centre(px), y = centre(py);
+    const Products products{alongRange(x, y, a_, b_), alongRange(x, y, b_, a_), crossRange(x, y, a_, b_)};
+    if (decide(products, width_.narrowest, width_.widest, cornerMargin2_ + kSmoothReach2) == Coverage::Out) return {};
+    const bool inside =
+        decide(products, width_.narrowest, width_.widest, cornerMargin2_ + kSmoothInside2) == Coverage::In;
+    return inside && !stipple_.enabled ? BandVerdict{Coverage::In, Freedom::None, std::nullopt} : free;
   }
 
   // `margin2`: twice the distance by which the outline may be off, 1/256 pixel. Distances from the edges that are
@@ -116,7 +135,7 @@ class RectangleBand final : public LineBand {
     if (!outcome.mayDiscard) return outline;
     Freedom freedom = fixed_ ? Freedom::LineCorner : Freedom::SnapRounding;
     if (plain.certain()) freedom = Freedom::StippleCarry;
-    if (stipple_.start.free) freedom = Freedom::LineClip;
+    if (stipple_.start.free) freedom = ofPolygon_ ? Freedom::StippleCarry : Freedom::LineClip;
     return {Coverage::Either, freedom, std::nullopt};
   }
 
@@ -124,7 +143,7 @@ class RectangleBand final : public LineBand {
   LineWidth width_;
   LineStipple stipple_;
   Range length2_;
-  bool fixed_ = false;
+  bool fixed_ = false, smooth_ = false, ofPolygon_ = false;
   int64_t cornerMargin2_ = 0;
   double reach_ = 0;
 };
@@ -134,7 +153,8 @@ class RectangleBand final : public LineBand {
 std::unique_ptr<LineBand> rectangleBand(const RasterVertex& a, const RasterVertex& b, const LineStyle& style,
                                         const Rules& rules) {
   const EndBox boxA(a), boxB(b);
-  if (boxA.fixed() && boxA == boxB) return nullptr;
+  const bool smooth = style.mode == LineRasterizationMode::RECTANGULAR_SMOOTH;
+  if (!smooth && boxA.fixed() && boxA == boxB) return nullptr;
   return std::make_unique<RectangleBand>(a, b, style, rules);
 }
 

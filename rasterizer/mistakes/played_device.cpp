@@ -6,6 +6,9 @@ Limits playedDevice(DeliberateError error) {
   Limits limits;
   limits.viewportSubPixelBits = 8;
   limits.framebufferSampleCounts = 0x1F;
+  limits.sampleLocationSampleCounts = 0x1E;
+  limits.maxSampleLocationGridWidth = limits.maxSampleLocationGridHeight = 4;
+  limits.smoothLines = true;
   limits.stippledRectangularLines = limits.stippledBresenhamLines = true;
   limits.lineWidthMax = 255;
   limits.lineWidthGranularity = 1.0F / 128;

@@ -105,6 +105,12 @@ std::unique_ptr<Shape> makePointShape(const ClipPosition& position, const Raster
       result.nominal = {low, low + side};
       result.low = static_cast<double>(result.nominal.low);
       result.high = static_cast<double>(result.nominal.high);
+    } else if (stage.rules.choices.pointArithmetic == PointArithmetic::SnappedCorners) {
+      const auto side = static_cast<int64_t>(std::nearbyint(half));  // to either side of the snapped vertex
+      const int64_t shift = ownsLow ? 0 : 1;
+      result.low = static_cast<double>(snapped - side);
+      result.high = static_cast<double>(snapped + side);
+      result.nominal = {snapped - side + shift, snapped + side + shift};
     } else if (stage.rules.choices.pointArithmetic == PointArithmetic::ClipCorners) {
       result.nominal = clipCorners(coordinate, position.w, viewportAxis, size.requested, ownsLow, stage);
       result.low = static_cast<double>(result.nominal.low);

@@ -81,6 +81,8 @@ void addSliver(Entries& entries);
 void addTiny(Entries& entries);
 void addFar(Entries& entries);
 void addRandom(Entries& entries);
+void addSampleLocations(Entries& entries);
+void addLineSmooth(Entries& entries);
 void addPolygon(Entries& entries);
 void addMesh(Entries& entries);
 void addPoint(Entries& entries);

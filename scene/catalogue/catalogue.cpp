@@ -20,7 +20,7 @@ std::vector<CatalogueEntry> collect() {
         f::addSampleShading, f::addCentroid,      f::addOffset,       f::addAlphaToCoverage, f::addBuiltIns,
         f::addResolve,       f::addSupersample,   f::addCrowd,        f::addFound,        f::addRandom,       f::addRandomLines,  f::addRandomPoints,
         f::addRandomStrips,  f::addRandomOutlines, f::addRandomCuts,  f::addRandomDepth,
-        f::addPolygon,       f::addMesh}) {
+        f::addSampleLocations, f::addLineSmooth, f::addPolygon,       f::addMesh}) {
     add(entries);
   }
   return entries;

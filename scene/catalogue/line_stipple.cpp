@@ -68,6 +68,15 @@ void addLineStipple(Entries& entries) {
       return scene;
     });
   }
+  for (const Mode& m : {Mode{RECTANGULAR, "rect"}, Mode{BRESENHAM, "bresenham"}}) {
+    family.add(fmt::format("{}-edges", m.name), "edges of triangles in polygon mode LINE are stippled too", {"R32", "R34"},
+               [mode = m.mode] {
+                 Scene scene = stippled(mode, 1, 0x3A27, PrimitiveTopology::TRIANGLE_LIST);
+                 scene.state.polygonMode = PolygonMode::LINE;
+                 draw(scene, {{6.5, 5.5}, {56.5, 12.5}, {20.5, 57.5}, {60.5, 20.5}, {57.5, 60.5}, {30.5, 58.5}});
+                 return scene;
+               });
+  }
   family.add("no-bit", "a pattern without bits draws nothing", rules, [] {
     Scene scene = stippled(BRESENHAM, 1, 0);
     draw(scene, kLines);

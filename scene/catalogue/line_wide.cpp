@@ -35,6 +35,13 @@ void addLineWide(Entries& entries) {
     return scene;
   });
   for (const bool bresenham : {false, true}) {
+    family.add(bresenham ? "bresenham-beyond-range" : "rect-beyond-range", "widths beyond those that devices advertise",
+               {bresenham ? "R30" : "R27", "R51"}, [bresenham] {
+                 Scene scene = target(8, 384);
+                 useLines(scene, bresenham ? BRESENHAM : RECTANGULAR, 300);
+                 draw(scene, {{2.5, 192.5}, {5.5, 192.5}});
+                 return scene;
+               });
     family.add(
         bresenham ? "values-bresenham" : "values-rect", "values across a wide line: by projection, or the same in a column",
         {bresenham ? "R30" : "R27", "R21"},

@@ -70,6 +70,12 @@ void addPoint(Entries& entries) {
     draw(scene, {{10.3, 12.7}, {58.1, 50.2}}).pointSizes = {64, 63.5f};
     return scene;
   });
+  family.add("beyond-range", "a size beyond those that devices advertise", {"R25", "R51"}, [] {
+    Scene scene = target(16, 384);
+    usePoints(scene, 5000);
+    draw(scene, {{8, 192}});
+    return scene;
+  });
   family.add("off-grid", "the centre is not rounded to the subpixel grid, nor to a pixel", rules,
              [] { return sized(sizes(2.5f, 0.0f, 64), 8, 0.01171875 / 4, 1); });
   family.add("perspective", "the size is in pixels, whatever w is", rules, [] {

@@ -62,11 +62,11 @@ void addPolygonMode(Entries& entries) {
     drawClip(scene, {{-2, -0.5f, 0.5f, 1}, {0.75f, -0.75f, 0.5f, 1}, {0.25f, 1.75f, 0.5f, 1}});
     return scene;
   });
-  family.add("corner-outside", "a corner outside of a side plane is cut off, however large its point", {"R7", "R34"}, [] {
+  family.add("corner-outside", "corners outside of a side plane are cut off, however large their points", {"R7", "R34"}, [] {
     Scene scene = square(32);
     scene.state.polygonMode = POINT;
     scene.state.pointSize = 7;
-    drawClip(scene, {{-1.0625f, 0.25f, 0.5f, 1}, {0.5f, -0.75f, 0.5f, 1}, {0.5f, 0.5f, 0.5f, 1}});
+    drawClip(scene, {{-1.05f, -0.9f, 0.5f, 1}, {-0.9f, 0.9f, 0.5f, 1}, {-0.95f, 0.3f, 0.5f, 1}});
     return scene;
   });
   family.add("near-cut", "edges and corners where the near plane and a distance cut", {"R3", "R5", "R34"}, [] {

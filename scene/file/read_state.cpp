@@ -5,9 +5,43 @@
 
 namespace rasterdiff {
 
+namespace {
+
+/// `samples` of the target are known.
+bool readSampleLocations(Reader& reader, const JsonValue& value, uint32_t samples, SampleLocationsInfo& out) {
+  static constexpr std::array<std::string_view, 3> kFields{"sampleLocationsPerPixel", "sampleLocationGridSize",
+                                                           "sampleLocations"};
+  if (!reader.object(value, "sample locations", kFields, {"sampleLocations"})) return false;
+  if (const auto v = value.member("sampleLocationsPerPixel")) {
+    uint32_t perPixel = 0;
+    if (!reader.unsigned32(*v, perPixel)) return false;
+    if (perPixel != samples) {
+      return reader.fail(*v, fmt::format("{} locations a pixel of {} samples", perPixel, samples), "as many as samples");
+    }
+  }
+  if (const auto v = value.member("sampleLocationGridSize")) {
+    if (!reader.array(*v, "a grid size")) return false;
+    if (v->size() != 2) return reader.fail(*v, fmt::format("a grid size of {} numbers", v->size()), "[width, height]");
+    if (!reader.unsigned32(v->first(), out.gridWidth) || !reader.unsigned32(v->first().next(), out.gridHeight)) return false;
+  }
+  const JsonValue list = *value.member("sampleLocations");
+  if (!reader.array(list, "sampleLocations")) return false;
+  JsonValue location = list.first();
+  for (uint32_t i = 0; i < list.size(); ++i, location = location.next()) {
+    if (!reader.array(location, "a sample location")) return false;
+    if (location.size() != 2) return reader.fail(location, fmt::format("a location of {} numbers", location.size()), "[x, y]");
+    SampleLocationEXT& to = out.sampleLocations.emplace_back();
+    if (!reader.float32(location.first(), to.x) || !reader.float32(location.first().next(), to.y)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 bool readTarget(Reader& reader, const JsonValue& value, Target& target) {
-  static constexpr std::array<std::string_view, 8> kFields{"width",   "height",      "samples",         "supersample",
-                                                           "resolve", "depthFormat", "depthClearValue", "depthResolveMode"};
+  static constexpr std::array<std::string_view, 9> kFields{
+      "width",       "height",          "samples",          "supersample",    "resolve",
+      "depthFormat", "depthClearValue", "depthResolveMode", "sampleLocations"};
   if (!reader.object(value, "target", kFields, {"width", "height"})) return false;
   if (!reader.unsigned32(*value.member("width"), target.width)) return false;
   if (!reader.unsigned32(*value.member("height"), target.height)) return false;
@@ -21,6 +55,9 @@ bool readTarget(Reader& reader, const JsonValue& value, Target& target) {
     if (!reader.enumerant(*v, "depthResolveMode", target.depthResolveMode.emplace())) return false;
   }
   if (const auto v = value.member("depthClearValue"); v && !reader.float32(*v, target.depthClearValue)) return false;
+  if (const auto v = value.member("sampleLocations")) {
+    return readSampleLocations(reader, *v, target.samples, target.sampleLocations.emplace());
+  }
   return true;
 }
 

@@ -40,6 +40,16 @@ class Fields {
   bool first_ = true;
 };
 
+void writeSampleLocations(std::string& out, const SampleLocationsInfo& info) {
+  out += fmt::format(",\n    \"sampleLocations\": {{\"sampleLocationGridSize\": [{}, {}], \"sampleLocations\": [",
+                     info.gridWidth, info.gridHeight);
+  for (size_t i = 0; i < info.sampleLocations.size(); ++i) {
+    const SampleLocationEXT& at = info.sampleLocations[i];
+    out += fmt::format("{}[{}, {}]", i == 0 ? "" : ", ", jsonNumber(at.x), jsonNumber(at.y));
+  }
+  out += "]}";
+}
+
 void writeTarget(std::string& out, const Target& target) {
   out += fmt::format("{{\"width\": {}, \"height\": {}, \"samples\": {}", target.width, target.height, target.samples);
   if (target.supersample != 1) out += fmt::format(", \"supersample\": {}", target.supersample);
@@ -49,6 +59,7 @@ void writeTarget(std::string& out, const Target& target) {
                        jsonNumber(target.depthClearValue));
   }
   if (target.depthResolveMode) out += fmt::format(", \"depthResolveMode\": \"{}\"", enumName(*target.depthResolveMode));
+  if (target.sampleLocations) writeSampleLocations(out, *target.sampleLocations);
   out += "}";
 }
 

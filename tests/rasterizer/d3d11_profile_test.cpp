@@ -79,6 +79,19 @@ TEST(Direct3D11, APointIsAPixelWideAndOwnsItsTopAndLeftBorder) {
                                                     "........", "........"}));
 }
 
+TEST(Direct3D11, TheSquareOfAPointIsThatAroundTheSnappedVertex) {
+  const auto columns = [](double x, std::string_view profile) {
+    Scene scene = testing::sceneOf({{x, 3.5}}, kExtent);
+    scene.state.topology = PrimitiveTopology::POINT_LIST;
+    return drawn(scene, *Rules::profile(profile, Limits{}))[3];
+  };
+  // Unrounded, the square would begin 1/1024 pixel to the right of the centre of pixel 2.
+  EXPECT_EQ(columns(3 + 1.0 / 1024, "reference"), "...#....");
+  EXPECT_EQ(columns(3 + 1.0 / 1024, "d3d11"), "..#.....");
+  EXPECT_EQ(columns(3 + 1.0 / 512, "d3d11"), "..#.....");   // 768.5 → 768, the even one
+  EXPECT_EQ(columns(3 + 3.0 / 1024, "d3d11"), "...#....");  // 768.75 → 769
+}
+
 /// The depth of pixel (2, 2) under a triangle with these depths at its corners (0, 0), (8, 0) and (0, 8).
 float depthOf(std::array<double, 3> z, DepthFormat format, float constant, float slope) {
   Scene scene = testing::sceneOf({{0, 0, z[0]}, {8, 0, z[1]}, {0, 8, z[2]}}, kExtent);

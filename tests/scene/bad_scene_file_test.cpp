@@ -89,6 +89,24 @@ TEST(BadSceneFile, MistakesInPolygonsAreAtTheCharacter) {
   for (const Bad& bad : table) expectRefused(bad);
 }
 
+TEST(BadSceneFile, MistakesInSampleLocationsAreAtTheValue) {
+  const auto target = [](const std::string& more) { return R"({"target": {"width": 8, "height": 8, )" + more + R"(}, "draws": []})"; };
+  const std::pair<std::string, const char*> table[] = {
+      {target(R"("sampleLocations": ^{"sampleLocations": [[0, 0]]})"), "stays at the centre"},
+      {target(R"("samples": 2, "sampleLocations": ^{})"), "without 'sampleLocations'"},
+      {target(R"("samples": 2, "sampleLocations": {"sampleLocations": ^[[0, 0]]})"), "1 locations for 2 samples"},
+      {target(R"("samples": 2, "sampleLocations": {"sampleLocations": [[0, 0], ^[1]]})"), "a location of 1 numbers"},
+      {target(R"("samples": 2, "sampleLocations": {"sampleLocations": [[0, 0], [^"x", 0]]})"), "number"},
+      {target(R"("samples": 2, "sampleLocations": {"sampleLocationsPerPixel": ^4, "sampleLocations": []})"),
+       "4 locations a pixel of 2 samples"},
+      {target(R"("samples": 2, "sampleLocations": {"sampleLocationGridSize": ^[2], "sampleLocations": []})"),
+       "a grid size of 1 numbers"},
+      {target(R"("samples": 2, "sampleLocations": {"sampleLocationGridSize": ^[9, 1], "sampleLocations": []})"),
+       "9 is outside 1..8"},
+  };
+  for (const auto& [text, what] : table) expectRefused({text.c_str(), what});
+}
+
 TEST(BadSceneFile, WrongTypesAndRangesAreAtTheValue) {
   const Bad table[] = {
       {"^[]", "expected an object (scene), found an array"},

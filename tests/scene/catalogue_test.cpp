@@ -60,8 +60,8 @@ TEST(Catalogue, HasEveryFamilyAndNoNameTwice) {
       "line-wide",      "line-stipple",    "line-strip",    "polygon-mode",  "restart",      "depth-clip",
       "depth-format",   "depth-bias",      "clip-distance", "cull-distance", "viewports",    "sample-mask",
       "sample-shading", "depth-precision", "centroid",      "offset",        "built-ins",    "alpha-to-coverage",
-      "resolve",        "supersample",     "polygon",         "random-lines",  "random-points", "crowd",
-      "found",
+      "resolve",        "supersample",     "polygon",       "random-lines",  "random-points", "crowd",
+      "found",          "sample-locations", "line-smooth",
       "random-strips",  "random-clip",     "random-edges",  "random-corners", "random-depth", "random-line-strips",
       "random-facing",  "random-scissor",  "random-viewport", "random-distances"};
   for (const char* family : kFamilies) EXPECT_GE(families[family], 3u) << family;

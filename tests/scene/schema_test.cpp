@@ -76,6 +76,7 @@ TEST_F(SchemaTest, WhatTheLoaderAcceptsConforms) {
       withDraw(R"({"space": "pixels", "positions": [[1, 2], [1, 2, 0.5], [1, 2, 0.5, 1]], "indices": [0, 1, 2]})"),
       withDraw(R"({"space": "world", "positions": [[1, 2, "0x.8p0"]]})"),
       withDraw(R"({"points": "0,0 4,0 4,4"})"),
+      scene("", R"("target": {"width": 8, "height": 8, "samples": 2, "sampleLocations": {"sampleLocationsPerPixel": 2, "sampleLocationGridSize": [1, 2], "sampleLocations": [[0, "0x1p-1"], [0, 0], [-1, 2], [0.5, 0.5]]}})"),
       withDraw(R"({"points": "0,0 4,0 4,4", "fillRule": "evenodd", "z": "0x.8p0", "varyings": [{"name": "position"}]})"),
       withDraw(
           R"({"positions": [[0, 0, 0, 1], [0, 0, 0, 1]], "pointSizes": [1, "0x1p-1"], "clipDistances": [[1, 0], [-1, 2]], "cullDistances": [1, 0], "varyings": [{"name": "a", "interpolation": "offset", "offset": [-0.5, "0x1p-4"], "values": [1, 2]}]})"),

@@ -30,6 +30,21 @@ TEST_P(DriverRefusal, FramesBeyondMemoryAreRefusedBeforeTheyAreAllocated) {
   EXPECT_EQ(frame.error().where, "target");
 }
 
+TEST_P(DriverRefusal, CustomSampleLocationsNeedTheirExtension) {
+  Scene scene = sceneOf(wholeTarget(), 8, 8, 4);
+  scene.target.sampleLocations = SampleLocationsInfo{1, 1, {{0, 0}, {0.5F, 0}, {0, 0.5F}, {0.5F, 0.5F}}};
+  const Result<Frame> frame = render(scene, device());
+  if (device().limits().sampleLocationSampleCounts & 4) {
+    ASSERT_TRUE(frame.has_value());
+    EXPECT_EQ(frame->primitive.at(7, 7, 3), 1U);
+  } else {
+    ASSERT_FALSE(frame.has_value());
+    EXPECT_EQ(frame.error().code, ErrorCode::NotOffered);
+    EXPECT_EQ(frame.error().where, "target.sampleLocations");
+    EXPECT_EQ(frame.error().what, "needs VK_EXT_sample_locations");
+  }
+}
+
 TEST_P(DriverRefusal, TargetsWiderThanTheDeviceAreRefused) {
   Scene scene = sceneOf(wholeTarget());
   scene.target.width = kMaxTargetExtent;

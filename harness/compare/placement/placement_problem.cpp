@@ -8,6 +8,7 @@
 
 #include "rasterizer/freedom_band.hpp"
 #include "rasterizer/geometry.hpp"
+#include "rasterizer/sample_grid.hpp"
 #include "rasterizer/sample_pattern.hpp"
 #include "rasterizer/snap.hpp"
 #include "rasterizer/target_area.hpp"
@@ -254,6 +255,15 @@ class Builder {
 
 Result<PlacementProblem> placementProblem(const Scene& scene, const rasterizer::Rules& rules, const Frame& actual,
                                           std::span<const SampleQuery> seeds) {
+  if (scene.target.sampleLocations) {
+    const Result<rasterizer::SampleGrid> grid = rasterizer::SampleGrid::of(scene, rules);
+    if (!grid) return tl::unexpected<Error>(grid.error());
+    const rasterizer::GridPlace& place = grid->at(0, 0);
+    if (grid->width() * grid->height() == 1) return placementProblem(place.scene, place.rules, actual, seeds);
+    PlacementProblem unsolved;  // its samples are in other places in every pixel of the grid
+    unsolved.tooLarge = true;
+    return unsolved;
+  }
   return Builder(scene, rules, actual).build(seeds);
 }
 
