@@ -83,7 +83,7 @@ TEST(BoxAveraged, IncompleteBlocksAreLeftOutAndZeroGivesNothing) {
   const Plane<float> mean = boxAveraged(plane, 2);
   EXPECT_EQ(mean.width, 2u);
   EXPECT_EQ(mean.height, 1u);
-  EXPECT_EQ(mean.data, (std::vector<float>{2, 2}));
+  EXPECT_EQ(mean.data, (decltype(mean.data){2, 2}));
   EXPECT_EQ(boxAveraged(plane, 1).data, plane.data);
   EXPECT_TRUE(boxAveraged(plane, 0).data.empty());
 }
