@@ -20,41 +20,45 @@ Result<CoverageMask> CoverageMask::create(uint32_t width, uint32_t height, uint3
 
 CoverageMask::CoverageMask(uint32_t width, uint32_t height, std::span<const SampleLocation> locations)
     : width_(width), height_(height), halfColumns_((width + kBlockWidth - 1) / kBlockWidth * 2), locations_(locations) {
-  storage_.assign(size() + kBlockHeight, 0);
+  storage_.resize((size_t{blockRows()} * halfColumns_ + 2) * locations_.size());
   full_.assign((halfColumns_ / 2 + 63) / 64 * fullStride(), 0);
-  const auto misplaced = reinterpret_cast<uintptr_t>(storage_.data()) / sizeof(uint64_t) % kBlockHeight;
-  words_ = storage_.data() + (kBlockHeight - misplaced) % kBlockHeight;
 }
 
-CoverageMask::CoverageMask(const CoverageMask& other) : CoverageMask(other.width_, other.height_, other.locations_) {
-  std::copy_n(other.words_, size(), words_);
-  full_ = other.full_;
-}
-
-CoverageMask& CoverageMask::operator=(const CoverageMask& other) {
-  if (this != &other) *this = CoverageMask(other);
-  return *this;
+uint64_t* CoverageMask::tall() {
+  if (tall_.empty()) tall_.resize((size_t{blockRows()} + 1) / 2 * tallStride() * locations_.size());
+  return reinterpret_cast<uint64_t*>(tall_.data());
 }
 
 void CoverageMask::clear() {
-  std::fill_n(words_, size(), 0);
+  std::ranges::fill(storage_, Line{});
   std::ranges::fill(full_, 0);
+  std::ranges::fill(tall_, Line{});
 }
 
 void CoverageMask::merge(const CoverageMask& other) {
-  for (size_t i = 0; i < size(); ++i) words_[i] |= other.words_[i];
+  const auto add = [](std::vector<Line>& to, const std::vector<Line>& from) {
+    for (size_t i = 0; i < from.size(); ++i)
+      for (size_t k = 0; k < kBlockHeight; ++k) to[i].words[k] |= from[i].words[k];
+  };
+  add(storage_, other.storage_);
   for (size_t i = 0; i < full_.size(); ++i) full_[i] |= other.full_[i];
+  if (other.tall_.empty()) return;
+  (void)tall();
+  add(tall_, other.tall_);
 }
 
 uint64_t CoverageMask::count() const {
   uint64_t sum = 0;
-  for (size_t i = 0; i < size(); ++i) sum += static_cast<uint64_t>(std::popcount(words_[i]));
+  for (const Line& line : storage_)
+    for (const uint64_t word : line.words) sum += static_cast<uint64_t>(std::popcount(word));
   return sum;
 }
 
 uint64_t CoverageMask::differing(const CoverageMask& other) const {
   uint64_t sum = 0;
-  for (size_t i = 0; i < size(); ++i) sum += static_cast<uint64_t>(std::popcount(words_[i] ^ other.words_[i]));
+  for (size_t i = 0; i < storage_.size(); ++i)
+    for (size_t k = 0; k < kBlockHeight; ++k)
+      sum += static_cast<uint64_t>(std::popcount(storage_[i].words[k] ^ other.storage_[i].words[k]));
   return sum;
 }
 

@@ -34,10 +34,10 @@ class CoverageMask {
   [[nodiscard]] bool at(uint32_t x, uint32_t y, uint32_t s) const { return (word(x / 64, y, s) >> (x % 64) & 1) != 0; }
   /// 64 pixels of row y from pixel 64·column, lowest bit leftmost. Only after `settle`.
   [[nodiscard]] uint64_t word(uint32_t column, uint32_t y, uint32_t s) const {
-    return words_[blockOffset(y / 8, 2 * column, s) + y % 8];
+    return words()[blockOffset(y / 8, 2 * column, s) + y % 8];
   }
   void set(uint32_t x, uint32_t y, uint32_t s) {
-    words_[blockOffset(y / 8, x / 64 * 2, s) + y % 8] |= uint64_t{1} << (x % 64);
+    words()[blockOffset(y / 8, x / 64 * 2, s) + y % 8] |= uint64_t{1} << (x % 64);
   }
   void clear();
   /// Number of covered samples. Only after `settle`.
@@ -49,34 +49,33 @@ class CoverageMask {
   [[nodiscard]] size_t blockOffset(uint32_t blockRow, uint32_t halfColumn, uint32_t s) const {
     return ((size_t{blockRow} * halfColumns_ + halfColumn) * locations_.size() + s) * kBlockHeight;
   }
-  [[nodiscard]] uint64_t* words() { return words_; }
-  [[nodiscard]] const uint64_t* words() const { return words_; }
+  [[nodiscard]] uint64_t* words() { return reinterpret_cast<uint64_t*>(storage_.data()); }
+  [[nodiscard]] const uint64_t* words() const { return reinterpret_cast<const uint64_t*>(storage_.data()); }
   [[nodiscard]] uint32_t halfColumns() const { return halfColumns_; }
   [[nodiscard]] uint32_t blockRows() const { return (height_ + kBlockHeight - 1) / kBlockHeight; }
   /// For kernels: bit w % 64 of word (w / 64) · fullStride() + block row says that window w, a block at an even half column,
   /// is full in every sample. Readable and writable for eight block rows beyond the target.
   [[nodiscard]] uint64_t* full() { return full_.data(); }
   [[nodiscard]] size_t fullStride() const { return size_t{blockRows()} + kBlockHeight; }
+  /// For kernels: scratch too, tall blocks of 32 pixels × 16 rows, 16 words of 32 bits each. They start every 16 pixels.
+  /// Order: row of blocks (tallStride of them), column, sample. Made at the first call; 64-byte aligned.
+  [[nodiscard]] uint64_t* tall();
+  [[nodiscard]] size_t tallStride() const { return 2 * size_t{halfColumns_} + 2; }
   /// For kernels: folds full bits and scratch blocks of the given block rows, and clears what lies beyond the target.
   void settle(uint32_t firstBlockRow, uint32_t endBlockRow);
   /// For kernels: `this |= other`, scratch included.
   void merge(const CoverageMask& other);
 
-  CoverageMask(const CoverageMask& other);
-  CoverageMask(CoverageMask&&) noexcept = default;
-  CoverageMask& operator=(const CoverageMask& other);
-  CoverageMask& operator=(CoverageMask&&) noexcept = default;
-  ~CoverageMask() = default;
-
  private:
   CoverageMask(uint32_t width, uint32_t height, std::span<const SampleLocation> locations);
-  [[nodiscard]] size_t size() const { return size_t{blockRows()} * halfColumns_ * locations_.size() * kBlockHeight; }
+  struct alignas(64) Line {
+    uint64_t words[kBlockHeight] = {};
+  };
 
   uint32_t width_ = 0, height_ = 0, halfColumns_ = 0;
   std::span<const SampleLocation> locations_;
-  std::vector<uint64_t> storage_;  ///< 64 bytes longer than needed
+  std::vector<Line> storage_, tall_;  ///< storage_: two columns longer, where kernels may write zeros
   std::vector<uint64_t> full_;
-  uint64_t* words_ = nullptr;      ///< first multiple of 64 bytes in `storage_`
 };
 
 /// Adds the coverage of all triangles to the mask, exactly, for any int32 vertices. The same mask for every instruction

@@ -33,6 +33,31 @@ void SettleRow(uint64_t* HWY_RESTRICT row, size_t windows, size_t words, uint64_
   for (size_t part = 0; part * 64 < windows; ++part) full[part * stride] = 0;
 }
 
+/// Adds to one block row of one sample the tall blocks' eight rows from `tall` on and clears those; tall blocks are `tallBytes`
+/// apart, four a window of 64 pixels, and reach into the next one. `words` as in SettleRow.
+void SettleTall(uint64_t* HWY_RESTRICT row, size_t windows, size_t words, uint32_t* HWY_RESTRICT tall, size_t tallWords) {
+  const hn::CappedTag<uint64_t, 8> d;
+  const hn::Rebind<uint32_t, decltype(d)> d32;
+  constexpr size_t kLanes = hn::MaxLanes(d);
+  for (size_t i = 0; i < 8; i += kLanes) {
+    auto fromLeft = hn::Zero(d);
+    uint32_t* HWY_RESTRICT from = tall + i;
+    uint64_t* HWY_RESTRICT at = row + i;
+    const auto next = [&] {
+      const auto bits = hn::PromoteTo(d, hn::Load(d32, from));
+      hn::Store(hn::Zero(d32), d32, from);
+      from += tallWords;
+      return bits;
+    };
+    for (size_t w = 0; w < windows; ++w, at += 2 * words) {
+      const auto first = next(), second = next(), third = next(), fourth = next();
+      const auto sum = hn::Or(hn::Or(first, hn::ShiftLeft<16>(second)), hn::Or(hn::ShiftLeft<32>(third), hn::ShiftLeft<48>(fourth)));
+      hn::Store(hn::Or(hn::Or(hn::Load(d, at), fromLeft), sum), d, at);
+      fromLeft = hn::ShiftRight<16>(fourth);
+    }
+  }
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace rasterdiff::rasterizer
 HWY_AFTER_NAMESPACE();
@@ -43,14 +68,19 @@ HWY_AFTER_NAMESPACE();
 namespace rasterdiff::rasterizer {
 
 HWY_EXPORT(SettleRow);
+HWY_EXPORT(SettleTall);
 
 void CoverageMask::settle(uint32_t firstBlockRow, uint32_t endBlockRow) {
   const size_t blockWords = kBlockHeight * locations_.size();
   const uint32_t inLast = width_ % kBlockWidth;
   const uint64_t keep = inLast == 0 ? ~uint64_t{0} : (uint64_t{1} << inLast) - 1;
   for (uint32_t blockRow = firstBlockRow; blockRow < std::min(endBlockRow, blockRows()); ++blockRow) {
-    uint64_t* block = words_ + blockOffset(blockRow, 0, 0);
+    uint64_t* block = words() + blockOffset(blockRow, 0, 0);
     HWY_DYNAMIC_DISPATCH(SettleRow)(block, halfColumns_ / 2, blockWords, full_.data() + blockRow, fullStride());
+    for (size_t s = 0; s < locations_.size() && !tall_.empty(); ++s) {
+      auto* half = reinterpret_cast<uint32_t*>(&tall_[blockRow / 2 * tallStride() * locations_.size() + s]) + blockRow % 2 * 8;
+      HWY_DYNAMIC_DISPATCH(SettleTall)(block + s * kBlockHeight, halfColumns_ / 2, blockWords, half, locations_.size() * 16);
+    }
     uint64_t* last = block + (halfColumns_ - 2) * blockWords;
     for (size_t i = 0; i < blockWords; ++i) last[i] &= keep;
     for (uint32_t row = height_ - std::min(height_, blockRow * kBlockHeight); row < kBlockHeight; ++row)

@@ -5,6 +5,7 @@
 #include "hwy/foreach_target.h"
 // After foreach_target.h:
 #include <algorithm>
+#include <bit>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "rasterizer/kernels/span_large-inl.h"
 #include "rasterizer/kernels/span_medium-inl.h"
 #include "rasterizer/kernels/span_setup-inl.h"
+#include "rasterizer/kernels/span_narrow-inl.h"
 #include "rasterizer/kernels/span_target.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -30,12 +32,18 @@ HWY_INLINE void DrawSide(const Batch<kSamples>& b, const SpanTarget& target, Tou
   if (b.large[kSide].size > 0) DrawLarge<kSide, kSamples>(b, b.large[kSide], target, touched);
 }
 
+HWY_INLINE NarrowTarget NarrowTargetOf(uint64_t* blocks, size_t stride, const SpanTarget& target) {
+  const auto added = std::bit_cast<uint64_t>(kIntegers) << 6;
+  return {reinterpret_cast<uintptr_t>(blocks) - added, static_cast<double>(stride), target.samples};
+}
+
 template <size_t kSamples>
 void DrawBatches(std::span<const SnappedTriangle> triangles, const SpanTarget& target, CoverageMask& mask) {
   using B = Batch<kSamples>;
   B b;
   Touched touched;
   FirstBlocks firstBlocks;
+  NarrowOnes narrow;
   for (size_t first = 0; first < triangles.size(); first += B::kSize) {
     const size_t size = std::min(B::kSize, triangles.size() - first);
     const SnappedTriangle* HWY_RESTRICT t = triangles.data() + first;
@@ -49,6 +57,16 @@ void DrawBatches(std::span<const SnappedTriangle> triangles, const SpanTarget& t
     }
     DrawSide<0, kSamples>(b, target, touched, firstBlocks);
     DrawSide<1, kSamples>(b, target, touched, firstBlocks);
+    if (b.narrow[kTallShape][0].size + b.narrow[kTallShape][1].size > 0) {
+      const NarrowTarget blocks = NarrowTargetOf(mask.tall(), mask.tallStride(), target);
+      DrawNarrow<kTallShape, 0>(b, target, blocks, narrow);
+      DrawNarrow<kTallShape, 1>(b, target, blocks, narrow);
+    }
+    if (b.narrow[kWideShape][0].size + b.narrow[kWideShape][1].size > 0) {
+      const NarrowTarget blocks = NarrowTargetOf(target.words, mask.halfColumns(), target);
+      DrawNarrow<kWideShape, 0>(b, target, blocks, narrow);
+      DrawNarrow<kWideShape, 1>(b, target, blocks, narrow);
+    }
     for (size_t k = 0; k < b.far.size; ++k) drawIntegerSpans(t[b.far.places[k]], mask);
   }
 }

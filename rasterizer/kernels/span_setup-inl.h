@@ -59,6 +59,13 @@ inline constexpr double kMediumWidth = 256.0 * 192;          // subpixels; beyon
 inline constexpr size_t kGroups = 16;                         // of kLanes block rows, for a medium triangle
 inline constexpr double kGroupRows = 8.0 * double{kLanes};   // pixels
 
+/// Shapes of blocks for narrow triangles, see span_narrow-inl.h: 32 pixels by 16 rows, 64 by 8.
+inline constexpr size_t kTallShape = 0, kWideShape = 1;
+inline constexpr double kNarrowRows = 160;                      // or more, otherwise what one costs is more than it saves
+inline constexpr double kNarrow[2] = {14, 30};                  // pixels in a block's rows
+inline constexpr double kHeight[2] = {256.0 * 1008, 1048576};   // subpixels
+inline constexpr double kReach[2] = {1048576, kFastRange};
+
 /// Lines and classes of up to kSize triangles; index = place in the batch.
 template <size_t kSamples>
 struct Batch {
@@ -81,12 +88,17 @@ struct Batch {
   List small[4][2];  // in one block column; which reach the first, second, third, fourth block row
   Long medium[2];  // nowhere wider than kMediumWidth: group of kLanes block rows << 16 | place
   List large[2];
-  List far;  // beyond the fast range
+  List narrow[2][2];  // by shape of their blocks and side, see span_narrow-inl.h
+  List far;           // beyond the fast range
+  // Of narrow ones: the vertices' y in subpixels, sorted; half columns from the first block to the target's left (<= 0); from line
+  // A's t in the first row of a block to where the block begins, in halves of its width.
+  alignas(64) double y[3][kSize], leastColumn[kSize], reach[kSize];
 
   void Clear() {
     for (size_t side = 0; side < 2; ++side)
       for (List* list : {&small[0][side], &small[1][side], &small[2][side], &small[3][side], &large[side]}) list->size = 0;
     medium[0].size = medium[1].size = 0;
+    narrow[0][0].size = narrow[0][1].size = narrow[1][0].size = narrow[1][1].size = 0;
     far.size = 0;
   }
 };
@@ -142,6 +154,42 @@ HWY_INLINE void Append(hn::Vec<DU> values, M mask, uint64_t* HWY_RESTRICT list, 
     size += bits[lane] & 1;
   }
 #endif
+}
+
+/// Those of the lanes `which`, set up otherwise, that span_narrow-inl.h can draw: appends them to its lists. A function of its
+/// own, for most triangles need nothing of it.
+template <size_t kSamples>
+HWY_NOINLINE M SetUpNarrow(const SnappedTriangle* HWY_RESTRICT t, size_t base, M which, const SpanTarget& target, Batch<kSamples>& b) {
+  const D d;
+  Corners c = LoadCorners(t);
+  const V zero = hn::Zero(d), one = hn::Set(d, 1), pixel = hn::Set(d, 1.0 / 256);
+  const V minX = hn::Min(hn::Min(c.x[0], c.x[1]), c.x[2]), maxX = hn::Max(hn::Max(c.x[0], c.x[1]), c.x[2]);
+  SortByY(c, 0, 1);
+  SortByY(c, 1, 2);
+  SortByY(c, 0, 1);
+  const V dyA = c.y[2] - c.y[0], area = (c.x[1] - c.x[0]) * dyA - (c.x[2] - c.x[0]) * (c.y[1] - c.y[0]);
+  const V slopeA = hn::Load(d, b.slope[0] + base), widest = hn::Abs(area) * pixel / dyA;
+  const V reach = hn::Max(hn::Max(hn::Neg(minX), maxX), hn::Max(hn::Neg(c.y[0]), c.y[2]));
+  const auto fits = [&](size_t shape, double rows) {
+    const M narrow = hn::Le(hn::MulAdd(hn::Abs(slopeA), hn::Set(d, rows - 1), widest), hn::Set(d, kNarrow[shape]));
+    return hn::And(narrow, hn::And(hn::Le(reach, hn::Set(d, kReach[shape])), hn::Le(dyA, hn::Set(d, kHeight[shape]))));
+  };
+  const M inside = hn::And(hn::Ge(minX, zero), hn::Le(maxX, hn::Set(d, 256 * target.width)));
+  const M narrow = hn::And(hn::And(which, hn::Ne(area, zero)), hn::And(inside, fits(kWideShape, 8)));
+  const M tall = hn::And(narrow, fits(kTallShape, 16));
+  const M side0 = hn::Gt(area, zero);
+  for (size_t k = 0; k < 3; ++k) hn::Store(c.y[k], d, b.y[k] + base);
+  const V endColumn = hn::Min(hn::Ceil((maxX - hn::Set(d, target.minX)) * pixel), hn::Set(d, target.width));
+  hn::Store((hn::Load(d, b.columns + base) - endColumn) * hn::Set(d, 1.0 / 32), d, b.leastColumn + base);
+  const V least = hn::Min(slopeA * hn::IfThenElse(tall, hn::Set(d, 15), hn::Set(d, 7)), zero) - hn::IfThenZeroElse(side0, widest);
+  hn::Store((least - one) * hn::IfThenElse(tall, hn::Set(d, 1.0 / 16), hn::Set(d, 1.0 / 32)), d, b.reach + base);
+  const auto places = hn::Iota(DU(), 0) + hn::Set(DU(), base);
+  for (size_t shape = 0; shape < 2; ++shape) {
+    const M those = shape == kTallShape ? tall : hn::AndNot(tall, narrow);
+    Append(places, hn::And(those, side0), b.narrow[shape][0].places, b.narrow[shape][0].size);
+    Append(places, hn::AndNot(side0, those), b.narrow[shape][1].places, b.narrow[shape][1].size);
+  }
+  return narrow;
 }
 
 /// Sets up the kLanes triangles from `t` as places `base` and following.
@@ -225,8 +273,11 @@ HWY_INLINE void SetUp(const SnappedTriangle* HWY_RESTRICT t, size_t base, const 
     appendSmall(2, third);
     appendSmall(3, hn::And(small, hn::Gt(down, hn::Set(d, 24))));
   }
-  const M rest = hn::AndNot(hn::And(small, near), inBox);
+  M rest = hn::AndNot(hn::And(small, near), inBox);
   if (HWY_LIKELY(hn::AllFalse(d, rest))) return;
+  const V moved = hn::MulAdd(hn::Abs(dxA), hn::Set(d, 7), hn::Abs(area) * pixel);  // in a block's rows, times dyA
+  const M narrow = hn::And(hn::And(rest, hn::Ge(down, hn::Set(d, kNarrowRows))), hn::Le(moved, dyA * hn::Set(d, kNarrow[kWideShape])));
+  if (HWY_UNLIKELY(!hn::AllFalse(d, narrow))) rest = hn::AndNot(SetUpNarrow(t, base, hn::And(narrow, alive), target, b), rest);
   for (size_t side = 0; side < 2; ++side) {
     const M moderate = hn::AndNot(large, hn::And(rest, side == 0 ? side0 : side1));
     V group = hn::Set(d, kGroupRows);

@@ -20,6 +20,13 @@ struct SpanTarget {
   double minX = 0, maxX = 0, minY = 0, maxY = 0;  ///< over the samples
 };
 
+/// Blocks of one shape, for narrow triangles.
+struct NarrowTarget {
+  uint64_t start = 0;  ///< address of the first block, less what span_narrow-inl.h adds to it
+  double stride = 0;   ///< blocks of a sample in a row
+  size_t samples = 1;
+};
+
 /// 8·i as doubles: first rows of block rows, and of every eighth, first pixels of windows.
 inline constexpr auto kEights = [] {
   std::array<double, 4104> eights{};

@@ -24,8 +24,8 @@ struct Target {
   uint32_t width = 0, height = 0, samples = 0;
 };
 /// In turn, most of them small: there the oracle is fast and a wrong sample has nowhere to hide.
-constexpr std::array<Target, 8> kTargets{
-    {{97, 61, 1}, {97, 61, 4}, {33, 129, 1}, {65, 9, 16}, {97, 61, 1}, {130, 40, 8}, {64, 64, 4}, {331, 203, 1}}};
+constexpr std::array<Target, 10> kTargets{{{97, 61, 1}, {97, 61, 4}, {33, 129, 1}, {65, 9, 16}, {97, 61, 1}, {70, 420, 1},
+                                           {130, 40, 8}, {64, 64, 4}, {331, 203, 1}, {60, 300, 4}}};
 constexpr size_t kTogether = 4;  // triangles a mask
 
 std::optional<uint64_t> number(const char* text) {

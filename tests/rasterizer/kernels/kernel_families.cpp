@@ -52,6 +52,16 @@ std::vector<Family> hardFamilies(int32_t width, int32_t height) {
          while (std::ranges::any_of(t.v, [&](auto v) { return v.x < 0 || v.y < 0 || v.x > w || v.y > h; }));
          return t;
        }},
+      {"high and narrow",
+       [=](Prng& random) {
+         const int32_t x = random.between(0, w), slope = random.between(-300, 300), thick = random.between(0, 1) != 0 ? 80 : 2000;
+         SnappedTriangle t;
+         for (SubpixelPosition& v : t.v) {
+           v.y = random.between(-300, h + 300);
+           v.x = std::clamp(x + v.y / 256 * slope + random.between(0, thick), 0, w);
+         }
+         return t;
+       }},
       {"far away, to the fast range", [](Prng& random) { return within(random, -4194304, -4194304, 4194304, 4194304, 1); }},
       {"beyond the fast range",
        [](Prng& random) { return within(random, -400000000, -400000000, 400000000, 400000000, 1); }},
