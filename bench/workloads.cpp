@@ -69,14 +69,22 @@ SnappedTriangle frontFacing(Point* p) {
   return snapped(p);
 }
 
+constexpr size_t kMostTries = 200'000;  // in a row, for one triangle
+
+tl::unexpected<Error> doesNotFit(const std::string& what, uint32_t width, uint32_t height) {
+  return fail(ErrorCode::BadInput, "workload", fmt::format("{} do not fit into {} x {} pixels", what, width, height),
+              "a larger target or smaller triangles");
+}
+
 }  // namespace
 
-Workload randomTriangles(std::string name, size_t count, double area, uint32_t width, uint32_t height) {
+Result<Workload> randomTriangles(std::string name, size_t count, double area, uint32_t width, uint32_t height) {
   Workload load{std::move(name), fmt::format("random triangles of {} px", area), width, height, {}};
   Random random(0x5EED);
   const bool large = area * 16 > double{1} * width * height;
   load.triangles.reserve(count);
-  while (load.triangles.size() < count) {
+  for (size_t tries = 0; load.triangles.size() < count; ++tries) {
+    if (tries == kMostTries) return doesNotFit(load.what, width, height);
     Point p[3];
     for (Point& v : p) v = large ? Point{random(0, width), random(0, height)} : Point{random(0, 1), random(0, 1)};
     const double was = std::abs(cross(p)) / 2;
@@ -87,19 +95,23 @@ Workload randomTriangles(std::string name, size_t count, double area, uint32_t w
     for (Point& v : p) v = {first.x + (v.x - first.x) * scale, first.y + (v.y - first.y) * scale};
     if (!large && !place(p, random, width, height)) continue;
     load.triangles.push_back(frontFacing(p));
+    tries = 0;
   }
   return load;
 }
 
-Workload slivers(std::string name, size_t count, double length, double thickness, uint32_t width, uint32_t height) {
+Result<Workload> slivers(std::string name, size_t count, double length, double thickness, uint32_t width, uint32_t height) {
   Workload load{std::move(name), fmt::format("slivers of {} x {} px", length, thickness), width, height, {}};
   Random random(0x5EED);
   load.triangles.reserve(count);
-  while (load.triangles.size() < count) {
+  for (size_t tries = 0; load.triangles.size() < count; ++tries) {
+    if (tries == kMostTries) return doesNotFit(load.what, width, height);
     const double angle = random(0, 2 * std::numbers::pi), apex = random(0, length);
     const double c = std::cos(angle), s = std::sin(angle);
     Point p[3] = {{0, 0}, {length * c, length * s}, {apex * c - thickness * s, apex * s + thickness * c}};
-    if (place(p, random, width, height)) load.triangles.push_back(frontFacing(p));
+    if (!place(p, random, width, height)) continue;
+    load.triangles.push_back(frontFacing(p));
+    tries = 0;
   }
   return load;
 }

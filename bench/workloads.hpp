@@ -20,12 +20,13 @@ struct Workload {
 };
 
 /// `count` triangles of `area` pixels each, no more than 8 times as long as high, in a width × height target.
-/// Where such a triangle does not fit, it is one with its vertices anywhere in the target, shrunk to `area`.
-[[nodiscard]] Workload randomTriangles(std::string name, size_t count, double area, uint32_t width = 1920,
+/// Where they are large, their vertices are anywhere in the target, and they are shrunk to `area`. Error: BadInput where
+/// none is found that fits.
+[[nodiscard]] Result<Workload> randomTriangles(std::string name, size_t count, double area, uint32_t width = 1920,
                                        uint32_t height = 1080);
 
-/// `count` triangles of `length` × `thickness` pixels (base × height), in any direction.
-[[nodiscard]] Workload slivers(std::string name, size_t count, double length, double thickness, uint32_t width = 1920,
+/// `count` triangles of `length` × `thickness` pixels (base × height), in any direction. Error: as randomTriangles.
+[[nodiscard]] Result<Workload> slivers(std::string name, size_t count, double length, double thickness, uint32_t width = 1920,
                                uint32_t height = 1080);
 
 /// The front faces of an OBJ mesh seen from the front, orthographic, scaled until a triangle covers `area` pixels on

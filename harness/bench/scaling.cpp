@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "harness/bench/machine.hpp"
 
@@ -21,9 +22,10 @@ struct Recipe {
 Result<void> measurePoint(const Recipe& recipe, Settings settings, std::string& driverLine, const Progress& progress,
                           ScalingSeries& series) {
   settings.threads = recipe.threads;
-  const Load load = loadOf(rasterdiff::bench::randomTriangles(fmt::format("{} {:.0f}", series.name, recipe.x), recipe.triangles,
-                                                              recipe.area, recipe.width, recipe.height),
-                           recipe.samples);
+  Result<rasterdiff::bench::Workload> workload = rasterdiff::bench::randomTriangles(
+      fmt::format("{} {:.0f}", series.name, recipe.x), recipe.triangles, recipe.area, recipe.width, recipe.height);
+  if (!workload) return tl::unexpected(workload.error());
+  const Load load = loadOf(std::move(*workload), recipe.samples);
   Result<std::vector<Row>> rows = measure(load, Task::Coverage, settings, driverLine, progress);
   if (!rows) return tl::unexpected(rows.error());
   for (Row& row : *rows) {

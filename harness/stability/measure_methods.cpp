@@ -155,7 +155,6 @@ std::vector<Series> measureMethods(const Family& family) {
     auto exact = rasterizer::CoverageMask::create(scene.target.width, scene.target.height, 1);
     if (!exact) continue;
     rasterizer::drawCoverageOracle(triangles, *exact);
-    exact->settle(0, exact->blockRows());
     for (size_t m = 0; m < coverage.size(); ++m) {
       add(coverage[m], dial, coverageOf(rasterizer::coverageMethods()[m], scene, triangles, *exact));
     }

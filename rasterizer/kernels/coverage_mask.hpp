@@ -61,13 +61,20 @@ class CoverageMask {
   /// Order: row of blocks (tallStride of them), column, sample. Made at the first call; 64-byte aligned.
   [[nodiscard]] uint64_t* tall();
   [[nodiscard]] size_t tallStride() const { return 2 * size_t{halfColumns_} + 2; }
-  /// For kernels: folds full bits and scratch blocks of the given block rows, and clears what lies beyond the target.
-  void settle(uint32_t firstBlockRow, uint32_t endBlockRow);
+  /// Windows [first, end) of the block rows [firstRow, endRow).
+  struct Windows {
+    uint32_t firstRow = 0, endRow = 0, first = 0, end = 0;
+  };
+  /// For kernels: folds full bits and scratch blocks of all that was drawn since the last time, which are these triangles,
+  /// and clears what lies beyond the target. Few triangles cost no pass over the whole mask.
+  void settle(std::span<const SnappedTriangle> triangles);
   /// For kernels: `this |= other`, scratch included.
   void merge(const CoverageMask& other);
 
  private:
   CoverageMask(uint32_t width, uint32_t height, std::span<const SampleLocation> locations);
+  void settle(const Windows& windows);
+
   struct alignas(64) Line {
     uint64_t words[kBlockHeight] = {};
   };

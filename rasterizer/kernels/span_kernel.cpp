@@ -124,7 +124,7 @@ void drawCoverage(std::span<const SnappedTriangle> triangles, CoverageMask& mask
   } else {
     HWY_DYNAMIC_DISPATCH(DrawSpans)(triangles, mask);
   }
-  mask.settle(0, mask.blockRows());
+  mask.settle(triangles);
 }
 
 std::vector<std::string> coverageTargets() {

@@ -18,7 +18,7 @@ using rasterdiff::bench::builtInWorkload;
 using rasterizer::CoverageMask;
 using rasterizer::SnappedTriangle;
 
-Load small() { return loadOf(rasterdiff::bench::randomTriangles("small", 3000, 40, 256, 200), 1); }
+Load small() { return loadOf(*rasterdiff::bench::randomTriangles("small", 3000, 40, 256, 200), 1); }
 
 Frame reference(const Scene& scene) { return *rasterizer::render(scene, *rasterizer::Rules::profile("reference", Limits{})); }
 
@@ -40,6 +40,13 @@ TEST(Workloads, AreTheSameEveryTimeOnScreenAndOfTheStatedArea) {
 TEST(Workloads, UnknownNamesAndTargetsThatAreTooSmallAreRefused) {
   EXPECT_FALSE(builtInWorkload("W9", {}).has_value());
   EXPECT_FALSE(builtInWorkload("W5", {}, 1, 512, 512).has_value());
+}
+
+TEST(Workloads, TrianglesThatCannotFitAreRefusedInsteadOfSoughtForEver) {
+  using namespace rasterdiff::bench;
+  EXPECT_EQ(randomTriangles("large", 10, 500'000, 1000, 700).error().what, "random triangles of 500000 px do not fit into 1000 x 700 pixels");
+  EXPECT_FALSE(randomTriangles("flat", 10, 1000, 32768, 3).has_value());
+  EXPECT_FALSE(slivers("long", 10, 1000, 0.3, 600, 600).has_value());
 }
 
 TEST(Loads, TheSceneOfAWorkloadSnapsBackToItsTriangles) {
