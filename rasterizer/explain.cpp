@@ -197,7 +197,7 @@ Result<SampleExplanation> explain(const Scene& scene, const Rules& profile, Samp
   if (scene.target.sampleLocations) {
     const Result<SampleGrid> grid = SampleGrid::of(scene, rules);
     if (!grid) return tl::unexpected<Error>(grid.error());
-    const GridPlace& place = grid->ofPixel(query.x, query.y);
+    const GridPixel& place = grid->ofPixel(query.x, query.y);
     Result<SampleExplanation> explanation = explain(place.scene, place.rules, query);
     if (explanation) explanation->rules.push_back(Rule::CustomLocations);
     return explanation;

@@ -77,7 +77,7 @@ Result<SampleGrid> SampleGrid::of(const Scene& scene, const Rules& rules) {
   const uint32_t samples = scene.target.samples;
   for (uint32_t row = 0; row < grid.height_; ++row) {
     for (uint32_t column = 0; column < grid.width_; ++column) {
-      GridPlace& place = grid.places_.emplace_back(GridPlace{scene, rules});
+      GridPixel& place = grid.places_.emplace_back(GridPixel{scene, rules});
       place.scene.target.sampleLocations.reset();
       if (rules.error == DeliberateError::SampleLocationsIgnored) continue;
       const size_t first = firstLocation(info, column, row, samples, rules.error);
@@ -105,7 +105,7 @@ Result<Frame> renderGrid(const Scene& scene, const Rules& rules, RuleCounts* cou
   Frame frame;
   for (uint32_t row = 0; row < grid->height(); ++row) {
     for (uint32_t column = 0; column < grid->width(); ++column) {
-      const GridPlace& place = grid->at(column, row);
+      const GridPixel& place = grid->at(column, row);
       Result<Frame> part = render(place.scene, place.rules, &sum);
       if (!part) return part;
       if (row == 0 && column == 0) {
@@ -138,7 +138,7 @@ Result<std::vector<std::vector<Candidate>>> gridCandidates(const Scene& scene, c
         numbers.push_back(q);
       }
       if (here.empty()) continue;
-      const GridPlace& place = grid->at(column, row);
+      const GridPixel& place = grid->at(column, row);
       auto part = candidates(place.scene, place.rules, here);
       if (!part) return part;
       for (size_t i = 0; i < numbers.size(); ++i) found[numbers[i]] = std::move((*part)[i]);

@@ -9,7 +9,7 @@
 namespace rasterdiff::rasterizer {
 
 /// The scene and the rules as they are at every pixel (x, y) with x mod grid width = column, y mod grid height = row.
-struct GridPlace {
+struct GridPixel {
   Scene scene;  ///< without sampleLocations
   Rules rules;
 };
@@ -23,13 +23,13 @@ class SampleGrid {
 
   [[nodiscard]] uint32_t width() const { return width_; }
   [[nodiscard]] uint32_t height() const { return height_; }
-  [[nodiscard]] const GridPlace& at(uint32_t column, uint32_t row) const { return places_[row * width_ + column]; }
+  [[nodiscard]] const GridPixel& at(uint32_t column, uint32_t row) const { return places_[row * width_ + column]; }
   /// Of the place of the grid that pixel (x, y) has.
-  [[nodiscard]] const GridPlace& ofPixel(uint32_t x, uint32_t y) const { return at(x % width_, y % height_); }
+  [[nodiscard]] const GridPixel& ofPixel(uint32_t x, uint32_t y) const { return at(x % width_, y % height_); }
 
  private:
   uint32_t width_ = 1, height_ = 1;
-  std::vector<GridPlace> places_;  // row by row
+  std::vector<GridPixel> places_;  // row by row
 };
 
 /// render() of such a scene: once for each place of the grid. The counters go up by the mean of the places.

@@ -258,7 +258,7 @@ Result<PlacementProblem> placementProblem(const Scene& scene, const rasterizer::
   if (scene.target.sampleLocations) {
     const Result<rasterizer::SampleGrid> grid = rasterizer::SampleGrid::of(scene, rules);
     if (!grid) return tl::unexpected<Error>(grid.error());
-    const rasterizer::GridPlace& place = grid->at(0, 0);
+    const rasterizer::GridPixel& place = grid->at(0, 0);
     if (grid->width() * grid->height() == 1) return placementProblem(place.scene, place.rules, actual, seeds);
     PlacementProblem unsolved;  // its samples are in other places in every pixel of the grid
     unsolved.tooLarge = true;
