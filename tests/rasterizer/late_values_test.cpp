@@ -64,7 +64,13 @@ TEST(LateValues, AreThoseOfDrawingAtOnce) {
     if (!entry.remake) continue;
     const Scene scene = entry.remake(11, 300).value();
     if (!waits(scene, rulesNamed("reference"))) continue;
-    for (const char* rules : {"reference", "lavapipe", "spec"}) expectSameAtOnce(entry, rules);
+    for (const char* rules : {"reference", "lavapipe"}) expectSameAtOnce(entry, rules);
+    // Under open rules a cut triangle may have the planes of the whole one, too: its values do not wait.
+    if (needsOf(scene).clipping) {
+      EXPECT_FALSE(waits(scene, rulesNamed("spec"))) << entry.name;
+    } else {
+      expectSameAtOnce(entry, "spec");
+    }
     ++compared;
     deep += needsOf(scene).depth ? 1U : 0U;
     multisampled += scene.target.samples > 1 ? 1U : 0U;
