@@ -242,9 +242,7 @@ void FigureMaker::makeOutline(Primitive& primitive, const ClipPolygon& polygon, 
     ends.floatA = floatPosition(stage_, polygon.vertices[i]);
     ends.floatB = floatPosition(stage_, polygon.vertices[(i + 1) % n]);
     const bool wanted = flagged ? polygon.vertices[i].outlined : !primitive.cut || onOriginalEdge(a, b);
-    // Cut down to a line, a polygon has edges that lie on each other: that of the triangle and that of the cut.
-    const bool folded = rules_.open && primitive.cut && primitive.pieces.empty();
-    if (wanted || rules_.open) addLine(primitive, ends, true, !wanted || folded);
+    if (wanted || rules_.open) addLine(primitive, ends, true, !wanted);
   }
 }
 
