@@ -162,9 +162,9 @@ Choices canonical(Choices choices) {
   // To within a step of any legal bias.
   using rasterizer::DepthBiasUnit;
   if (choices.depthBiasUnit == DepthBiasUnit::OneStepOfRange) choices.depthBiasUnit = DepthBiasUnit::OneStep;
-  // Without lines and points of their own, an outline is the same whether the polygon is cut or each of its edges.
+  // Without lines and points that are cut in clip space, an outline is the same whether the polygon is cut or each of its edges.
   const bool ownLines = choices.lineArithmetic == rasterizer::LineArithmetic::ClipCorners;
-  const bool ownPoints = choices.pointClip != rasterizer::PointClip::Volume;
+  const bool ownPoints = choices.pointClip != rasterizer::PointClip::Volume && choices.pointArithmetic == rasterizer::PointArithmetic::ClipCorners;
   using rasterizer::CutOutline;
   if (choices.cutOutline == CutOutline::Uncut && !ownLines && !ownPoints) choices.cutOutline = CutOutline::Original;
   if (choices.lineArithmetic != rasterizer::LineArithmetic::Exact) choices.diamondExit = rasterizer::DiamondExit::Vulkan;
