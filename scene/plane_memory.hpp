@@ -1,4 +1,4 @@
-// Memory of a frame's planes: zeroed by the system when it is first touched, in large pages where there are any. What a
+// Memory of a frame's planes: zeroed by the system when it is first touched. What a
 // scene does not draw on costs nothing.
 #pragma once
 
