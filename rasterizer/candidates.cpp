@@ -78,10 +78,6 @@ const SetupTriangle* pieceAt(const Primitive& primitive, int64_t px, int64_t py)
   return best;
 }
 
-bool covers(const SetupTriangle& piece, int64_t px, int64_t py) {
-  return std::all_of(piece.edges.begin(), piece.edges.end(), [&](const EdgeFunction& e) { return e.covers(px, py); });
-}
-
 class CandidateFinder {
  public:
   CandidateFinder(const Scene& scene, const Rules& rules, std::span<const SampleQuery> queries,
@@ -120,7 +116,7 @@ class CandidateFinder {
         return;
       }
       for (const SetupTriangle& piece : primitive.pieces) {
-        if (!piece.culled && covers(piece, px, py)) add(q, primitive, &piece, {Coverage::In, Freedom::None, std::nullopt});
+        if (!piece.culled && piece.covers(px, py)) add(q, primitive, &piece, {Coverage::In, Freedom::None, std::nullopt});
       }
     });
   }

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "rasterizer/lines/smooth_line.hpp"
+#include "scene/primitive_class.hpp"
 
 namespace rasterdiff::rasterizer {
 namespace {
@@ -82,14 +83,6 @@ bool isOutside(const ClipPosition& p) {
   return p.x > p.w || -p.x > p.w || p.y > p.w || -p.y > p.w || p.z > p.w || p.z < 0;
 }
 
-bool isLine(PrimitiveTopology topology) {
-  return topology == PrimitiveTopology::LINE_LIST || topology == PrimitiveTopology::LINE_STRIP;
-}
-
-bool drawsPoints(const State& state) {
-  return state.topology == PrimitiveTopology::POINT_LIST || state.polygonMode == PolygonMode::POINT;
-}
-
 bool mayLeaveRegion(const Scene& scene) {
   const Viewport& v = scene.viewport;
   const bool whole = v.x == 0 && v.y == 0 && v.width == static_cast<float>(scene.target.width) &&
@@ -106,10 +99,9 @@ bool dependsOn(const Scene& scene, Choice choice) {
     case Choice::CutOutline: return state.polygonMode != PolygonMode::FILL && mayClip(scene);
     case Choice::PointClip: return drawsPoints(state) && mayClip(scene);
     case Choice::DrawingRegion: return mayLeaveRegion(scene);
-    case Choice::PointArithmetic:
-      return drawsPoints(state);
+    case Choice::PointArithmetic: return drawsPoints(state);
     case Choice::LineArithmetic:
-    case Choice::DiamondExit: return isLine(state.topology) || state.polygonMode == PolygonMode::LINE;
+    case Choice::DiamondExit: return drawsLines(state);
     case Choice::DepthBiasUnit:
     case Choice::DepthBiasExponent:
     case Choice::DepthBiasSlope: return state.depthBiasEnable;

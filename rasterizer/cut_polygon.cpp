@@ -30,10 +30,6 @@ bool isConvex(std::span<const RasterVertex> polygon) {
   return !(left && right);
 }
 
-bool coversPiece(const SetupTriangle& piece, int64_t px, int64_t py) {
-  return std::all_of(piece.edges.begin(), piece.edges.end(), [&](const EdgeFunction& e) { return e.covers(px, py); });
-}
-
 }  // namespace
 
 int64_t doubleArea(std::span<const RasterVertex> polygon) {
@@ -78,7 +74,7 @@ std::optional<size_t> CutPolygon::pieceAt(int64_t px, int64_t py) const {
   std::optional<size_t> piece;
   for (size_t i = 0; i < primitive_.pieces.size(); ++i) {
     const SetupTriangle& candidate = primitive_.pieces[i];
-    if (!coversPiece(candidate, px, py)) continue;
+    if (!candidate.covers(px, py)) continue;
     winding += candidate.flipped ? -1 : 1;
     // The values are those of a piece that is wound as the whole is.
     if (!piece || primitive_.pieces[*piece].flipped != reversed_) piece = i;

@@ -6,6 +6,7 @@
 #include "rasterizer/explain.hpp"
 #include "rasterizer/lines/smooth_line.hpp"
 #include "scene/needs.hpp"
+#include "scene/primitive_class.hpp"
 
 namespace rasterdiff::rasterizer {
 namespace {
@@ -22,11 +23,6 @@ class RuleList {
   }
   std::vector<Rule> rules;
 };
-
-bool isLineOrPoint(PrimitiveTopology topology) {
-  return topology == PrimitiveTopology::POINT_LIST || topology == PrimitiveTopology::LINE_LIST ||
-         topology == PrimitiveTopology::LINE_STRIP;
-}
 
 bool leavesViewport(const Scene& scene, const PrimitiveExplanation& point) {
   const Viewport& v = scene.viewport;
@@ -55,14 +51,12 @@ bool leavesDepthRange(const Draw& draw) {
 
 void addState(RuleList& list, const Scene& scene) {
   const State& state = scene.state;
-  const bool lineOrPoint = isLineOrPoint(state.topology);
+  const bool triangles = topologyClassOf(state.topology) == TopologyClass::Triangle;
   const auto anyDraw = [&](auto&& is) { return std::ranges::any_of(scene.draws, is); };
-  const bool tables = state.topology != PrimitiveTopology::TRIANGLE_LIST && state.topology != PrimitiveTopology::LINE_LIST &&
-                      state.topology != PrimitiveTopology::POINT_LIST;
-  list.addIf(tables || anyDraw([](const Draw& draw) { return draw.indices.has_value(); }), Rule::ProvokingVertex);
-  list.addIf(!lineOrPoint && state.cullMode != CullMode::NONE, Rule::Facing);
-  list.addIf(!lineOrPoint && state.cullMode != CullMode::NONE, Rule::Culling);
-  list.addIf(!lineOrPoint && state.polygonMode != PolygonMode::FILL, Rule::PolygonMode);
+  list.addIf(!isList(state.topology) || anyDraw([](const Draw& draw) { return draw.indices.has_value(); }), Rule::ProvokingVertex);
+  list.addIf(triangles && state.cullMode != CullMode::NONE, Rule::Facing);
+  list.addIf(triangles && state.cullMode != CullMode::NONE, Rule::Culling);
+  list.addIf(triangles && state.polygonMode != PolygonMode::FILL, Rule::PolygonMode);
   list.addIf(anyDraw([](const Draw& draw) { return draw.clipDistanceCount + draw.cullDistanceCount > 0; }), Rule::UserDistance);
   list.addIf(anyDraw([](const Draw& draw) { return draw.clipDistanceCount > 0; }), Rule::Partition);
   list.addIf(state.depthClampEnable || state.depthClipEnable.has_value() || anyDraw(leavesDepthRange), Rule::DepthClip);
@@ -75,9 +69,8 @@ void addState(RuleList& list, const Scene& scene) {
   list.addIf(scene.scissor.has_value() || state.depthTestEnable, Rule::Invariance);
   // What is drawn too large or too far away by a driver need not be near in the reference.
   const bool bresenham = state.lineRasterizationMode == LineRasterizationMode::BRESENHAM;
-  const bool points = state.topology == PrimitiveTopology::POINT_LIST, edges = state.polygonMode == PolygonMode::LINE;
-  list.addIf(points || (!lineOrPoint && state.polygonMode == PolygonMode::POINT), Rule::PointSquare);
-  list.addIf((lineOrPoint && !points) || (!lineOrPoint && edges), bresenham ? Rule::LineBresenham : Rule::LineRectangle);
+  list.addIf(drawsPoints(state), Rule::PointSquare);
+  list.addIf(drawsLines(state), bresenham ? Rule::LineBresenham : Rule::LineRectangle);
   list.addIf(drawsSmoothLines(state), Rule::SmoothLine);
   list.add(Rule::ViewportMap);
 }
@@ -86,7 +79,7 @@ void addDepth(RuleList& list, const Scene& scene) {
   const State& state = scene.state;
   if (!scene.target.depthFormat) return;
   list.add(Rule::LinearDepth);
-  const bool figures = isLineOrPoint(state.topology) || state.polygonMode != PolygonMode::FILL;
+  const bool figures = !fillsTriangles(state);
   list.addIf(state.depthBiasEnable && figures, Rule::DepthBiasMode);
   list.addIf(state.depthBiasEnable && state.depthBiasConstantFactor != 0, Rule::DepthBiasUnit);
   list.addIf(state.depthBiasEnable && (state.depthBiasSlopeFactor != 0 || state.depthBiasClamp != 0), Rule::DepthBiasSlope);

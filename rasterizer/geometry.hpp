@@ -36,6 +36,11 @@ struct SetupTriangle {
   bool flipped = false;                 ///< the two last corners were exchanged
   int64_t area = 0;                     ///< double area before orientation, 1/65536 pixel²
   bool frontFacing = false, culled = false;
+
+  /// Is the point (1/256 pixel) inside, or on an edge that owns it?
+  [[nodiscard]] bool covers(int64_t px, int64_t py) const {
+    return edges[0].covers(px, py) && edges[1].covers(px, py) && edges[2].covers(px, py);
+  }
 };
 
 class Shape;

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "rasterizer/choice_table.hpp"
-#include "rasterizer/fragment/line_plane.hpp"
-#include "rasterizer/lines/line_style.hpp"
+#include "rasterizer/depth/largest_depth.hpp"
 #include "rasterizer/lines/smooth_line.hpp"
 #include "rasterizer/sample_pattern.hpp"
 #include "rasterizer/shape.hpp"
@@ -18,41 +16,10 @@ namespace {
 // Of a polygon that nine planes and the four sides of a pixel may have cut.
 constexpr size_t kMostCorners = 32;
 
-// |z| of the vertices as far as it is known: what the exponent of a float depth bias comes from.
-Interval largestDepth(const RasterVertex* const* vertices, size_t count) {
-  Interval largest;
-  for (size_t i = 0; i < count; ++i) {
-    const double z = std::fabs(vertices[i]->position.z), error = vertices[i]->depthError;
-    largest = {std::max(largest.value, z), std::max(largest.lo, z - error), std::max(largest.hi, z + error)};
-  }
-  return largest;
-}
-
 // May, or must, the planes of cut triangles be those of the uncut ones?
 bool takesUncut(const Rules& rules) {
   const bool varies = rules.variation && rules.variation->uncutCorners;
   return rules.open || varies || isOpen(rules, Choice::PlanePositions) || rules.choices.planePositions == PlanePositions::SnappedUncut;
-}
-
-// [choice:depth-bias-exponent] The vertices are rotated: the smallest y comes first, then the largest w.
-Interval firstDifferences(const Primitive& primitive) {
-  const auto& clip = primitive.clip;
-  std::array<size_t, 3> order{0, 1, 2};
-  const auto bring = [&order](const std::array<bool, 3>& wanted) {
-    if (wanted[1]) std::rotate(order.begin(), order.begin() + 1, order.end());
-    if (wanted[2]) std::rotate(order.begin(), order.begin() + 2, order.end());
-  };
-  const float top = std::min({clip[0].y, clip[1].y, clip[2].y});
-  bring({false, clip[1].y == top, clip[2].y == top});
-  const auto w = [&](size_t i) { return clip[order[i]].w; };
-  const float farthest = std::max({w(0), w(1), w(2)});
-  bring({false, w(1) == farthest, w(2) == farthest});
-  const auto scale = static_cast<float>(primitive.viewport.z.scale), offset = static_cast<float>(primitive.viewport.z.offset());
-  const auto depth = [&](size_t i) { return clip[order[i]].z * (1.0F / clip[order[i]].w); };
-  const float first = depth(0);
-  float largest = std::fabs(first * scale + offset);
-  for (size_t i = 1; i < 3; ++i) largest = std::max(largest, std::fabs((depth(i) - first) * scale + offset));
-  return {largest, largest, largest};
 }
 
 }  // namespace
@@ -155,7 +122,7 @@ void PieceValues::setUp(const Primitive& primitive, const SetupTriangle& piece) 
   builtIns_.setUp(primitive, piece);
   depthStage_.setUp(primitive);
   if (!depthStage_.needsBias()) return;
-  BiasInputs inputs{slope, largestDepth(v.data(), 3)};
+  BiasInputs inputs{slope, largestDepth(v)};
   if (primitive.cut && rules_.open) {
     // The bias of a cut polygon is one number; of its pieces, if a device treats them as triangles, one each.
     for (const RasterVertex& vertex : primitive.polygon) {
@@ -163,100 +130,9 @@ void PieceValues::setUp(const Primitive& primitive, const SetupTriangle& piece) 
     }
   }
   if (rules_.choices.depthBiasExponent == DepthBiasExponent::FirstDifferences && !rules_.open) {
-    inputs.largestDepth = firstDifferences(primitive);
+    inputs.largestDepth = largestByFirstDifferences(primitive);
   }
   depthStage_.setBias(inputs);
-}
-
-void PieceValues::setUp(const Primitive& primitive, const Figure& figure) {
-  if (!setUpCurrent(primitive, nullptr, &figure)) return;
-  if (figure.kind == Figure::Kind::Line) {
-    setUpLine(figure);
-  } else {
-    setUpPoint(figure.a);
-  }
-  inputs_.fillFlat(primitive, constants_);
-  builtIns_.setUp(primitive, figure);
-  if (depthStage_.isPlain()) return;
-  depthStage_.setUp(primitive);
-  if (depthStage_.needsBias()) setFigureBias(figure);
-}
-
-void PieceValues::setUpPoint(const RasterVertex& vertex) {
-  planes_.depth = {};
-  planes_.depth.value = vertex.position.z;
-  planes_.depth.constantRadius = vertex.depthError;
-  planes_.reciprocalW = {};
-  planes_.reciprocalW.value = vertex.reciprocalW;
-  planes_.reciprocalW.constantRadius = reciprocalWError(vertex);
-  inputs_.fillPoint(*primitive_, vertex, planes_, constants_);
-}
-
-void PieceValues::setUpLine(const Figure& figure) {
-  LineStyle style;
-  style.mode = state_.lineRasterizationMode;
-  const LineKind kind = lineKind(style, rules_.limits);
-  const std::array<const RasterVertex*, 2> ends{&figure.a, &figure.b};
-  const auto fill = [&](ValuePlanes& planes, const RasterVertex& a, const RasterVertex& b, LineParameter parameter) {
-    const LinePlane plane(a, b, figure.size, parameter);
-    fillPlanes(ends, planes, [&plane](const std::array<double, 2>& values, double inputError, double) {
-      return plane.through(values[0], values[1], inputError);
-    });
-  };
-  if (rules_.error == DeliberateError::LineAttributesByX) {
-    RasterVertex level = figure.b;
-    level.position.y = figure.a.position.y;
-    fill(planes_, figure.a, level, LineParameter::Projection);
-    return;
-  }
-  // [choice:line-interpolation] nominally by projection, except for parallelograms, whose ends are level.
-  const bool parallelogram = kind == LineKind::Parallelogram;
-  fill(planes_, figure.a, figure.b, parallelogram ? LineParameter::MajorAxis : LineParameter::Projection);
-  if (rules_.variation) varyLine(figure, parallelogram);
-  if (!rules_.openValues()) return;
-  const bool wideBresenham = kind == LineKind::Bresenham && figure.size >= 1.5F;
-  if (parallelogram || wideBresenham) {
-    alternative_.emplace();
-    alternative_->inputs.resize(inputs_.size());
-    fill(*alternative_, figure.a, figure.b, parallelogram ? LineParameter::Projection : LineParameter::Replicated);
-  }
-  freeDepth_ = location_.samples() > 1;
-}
-
-void PieceValues::setFigureBias(const Figure& figure) {
-  const bool line = figure.kind == Figure::Kind::Line;
-  std::vector<const RasterVertex*> vertices;
-  for (const Figure& each : primitive_->figures) {
-    vertices.push_back(&each.a);
-    if (each.kind == Figure::Kind::Line) vertices.push_back(&each.b);
-  }
-  BiasInputs inputs{{}, largestDepth(vertices.data(), vertices.size())};
-  if (primitive_->assembled.count == 3) {
-    // The slope is that of the triangle that the figures outline; clipping does not change its plane.
-    std::array<FramebufferPosition, 3> corners;
-    for (size_t i = 0; i < 3; ++i) {
-      const ClipPosition& p = primitive_->clip[i];
-      const double clip[4] = {p.x, p.y, p.z, p.w};
-      corners[i] = toFramebuffer(clip, primitive_->viewport);
-    }
-    double deviation = 0, depthError = 0;
-    for (const RasterVertex* vertex : vertices) {
-      deviation = std::max(deviation, vertex->deviation);
-      depthError = std::max(depthError, vertex->depthError);
-    }
-    if (primitive_->cut && rules_.openValues()) {
-      // Of the cut polygon, or of a piece of it: it may reach either end of the depth range.
-      const float farthest = std::max(std::fabs(primitive_->minDepth), std::fabs(primitive_->maxDepth));
-      inputs.largestDepth.hi = std::max(inputs.largestDepth.hi, double{farthest});
-    }
-    inputs.slope = TrianglePlane(corners, deviation).gradient({corners[0].z, corners[1].z, corners[2].z}, depthError);
-    if (!std::isfinite(inputs.slope.dx) || !std::isfinite(inputs.slope.dy)) inputs.slope = {0, 0, kUnbounded};
-  } else if (line) {
-    const LinePlane plane(figure.a, figure.b, figure.size, LineParameter::Projection);
-    const double rise = figure.b.position.z - figure.a.position.z;
-    inputs.slope = {rise * plane.slopeX(), rise * plane.slopeY(), std::fabs(planes_.depth.dx) + std::fabs(planes_.depth.dy)};
-  }
-  depthStage_.setFigureBias(*primitive_, inputs);
 }
 
 Interval PieceValues::inputOver(size_t component, const EvaluationRegion& region) const {
@@ -311,16 +187,16 @@ EvaluationRegion PieceValues::regionOf(const Component& component, const Fragmen
   return location_.around(centreOf(place), storage_);
 }
 
-template <size_t kSpots>
+template <size_t kCorners>
 void PieceValues::fragmentAtCentre(const FragmentPlace& place, Interpolated* out) const {
-  PixelValues<kSpots> pixel(place.x + 0.5, place.y + 0.5);
-  if (needsW_) pixel.setDenominator(planes_.reciprocalW);
+  const PixelRegion<kCorners> pixel = pixelRegion<kCorners>(centreOf(place));
+  const Denominator<kCorners> denominator(planes_.reciprocalW, pixel);
   for (size_t c = 0; c < inputs_.size(); ++c) {
     const LinearFunction& f = planes_.inputs[c];
     switch (inputs_[c].kind) {
       case Kind::Flat: *out++ = exactly(constants_[c]); break;
-      case Kind::Linear: *out++ = toFloat(pixel.linear(f)); break;
-      case Kind::Perspective: *out++ = toFloat(pixel.quotient(f)); break;
+      case Kind::Linear: *out++ = toFloat(linearOver(f, pixel)); break;
+      case Kind::Perspective: *out++ = toFloat(quotientOver(f, denominator, pixel)); break;
     }
   }
 }
@@ -330,26 +206,10 @@ void PieceValues::fragment(const FragmentPlace& place, Interpolated* out) {
   if (smoothLine_ && hasAlpha_ && rules_.error != DeliberateError::SmoothAlphaIgnored) out[3] = faded(place, out[3]);
 }
 
-EvaluationRegion PieceValues::nearby(Spot centre, RegionStorage& storage) {
-  constexpr double kAway = 2;  // pixels; more than kSmoothReach2
-  storage.box = {{{centre.x - kAway, centre.y - kAway}, {centre.x + kAway, centre.y - kAway},
-                  {centre.x + kAway, centre.y + kAway}, {centre.x - kAway, centre.y + kAway}}};
-  return {centre, storage.box};
-}
-
-Interpolated PieceValues::faded(const FragmentPlace& place, const Interpolated& alpha) const {
-  const Interval area = smoothCoverage(figure_->a, figure_->b, figure_->size, rules_.limits, place.x, place.y);
-  const double products[] = {alpha.bounds.lo * area.lo, alpha.bounds.lo * area.hi, alpha.bounds.hi * area.lo,
-                             alpha.bounds.hi * area.hi};
-  const auto [lo, hi] = std::minmax_element(std::begin(products), std::end(products));
-  const double rounding = 4 * kHalfUlp * std::max(std::fabs(*lo), std::fabs(*hi));
-  return toFloat({alpha.value * area.value, *lo - rounding, *hi + rounding});
-}
-
 void PieceValues::evaluate(const FragmentPlace& place, Interpolated* out) {
   if (varied_) return variedFragment(place, out);
   if (atCentre_ && figure_ == nullptr && !alternative_) {
-    return location_.areaIsFree() ? fragmentAtCentre<5>(place, out) : fragmentAtCentre<1>(place, out);
+    return location_.areaIsFree() ? fragmentAtCentre<4>(place, out) : fragmentAtCentre<0>(place, out);
   }
   const EvaluationRegion centre =
       smoothLine_ ? nearby(centreOf(place), centreStorage_) : location_.around(centreOf(place), centreStorage_);
@@ -398,7 +258,7 @@ uint32_t PieceValues::coveredSamples(int32_t x, int32_t y) const {
     if (figure_ != nullptr) {
       covered = figure_->shape->covers(px, py, tie);
     } else {
-      covered = std::all_of(piece_->edges.begin(), piece_->edges.end(), [&](const EdgeFunction& e) { return e.covers(px, py); });
+      covered = piece_->covers(px, py);
     }
     if (covered) mask |= 1U << s;
   }

@@ -72,7 +72,7 @@ class PieceValues {
   void varyTriangle(Corners vertices);
   void varyLine(const Figure& figure, bool majorAxis);
   [[nodiscard]] Interval varied(size_t component, Spot spot) const;
-  template <size_t kSpots>
+  template <size_t kCorners>
   void fragmentAtCentre(const FragmentPlace& place, Interpolated* out) const;
   void variedFragment(const FragmentPlace& place, Interpolated* out);
   void setUpPoint(const RasterVertex& vertex);

@@ -6,6 +6,7 @@
 #include "rasterizer/drawing_region.hpp"
 #include "rasterizer/kernels/value_kernel.hpp"
 #include "scene/needs.hpp"
+#include "scene/primitive_class.hpp"
 
 namespace rasterdiff::rasterizer {
 namespace {
@@ -19,16 +20,14 @@ bool ownsTopLeft(const Choices& choices) {
 bool needsCoverageOnly(const Scene& scene) {
   const SceneNeeds needs = needsOf(scene);
   const uint32_t all = (1U << scene.target.samples) - 1;
-  return !needs.depth && needs.varyings == 0 && needs.builtIns == 0 && scene.state.polygonMode == PolygonMode::FILL &&
+  return !needs.depth && needs.varyings == 0 && needs.builtIns == 0 &&
          (scene.state.sampleMask & all) == all;
 }
 
 bool drawsManyTriangles(const Scene& scene) {
   uint64_t triangles = 0;
   for (const Draw& draw : scene.draws) triangles += primitiveCount(scene.state, draw);
-  const PrimitiveTopology topology = scene.state.topology;
-  return triangles > kFewTriangles && (topology == PrimitiveTopology::TRIANGLE_LIST || topology == PrimitiveTopology::TRIANGLE_STRIP ||
-                                       topology == PrimitiveTopology::TRIANGLE_FAN);
+  return triangles > kFewTriangles && fillsTriangles(scene.state);
 }
 
 bool onlyTargetCuts(const Scene& scene, const Rules& rules) {

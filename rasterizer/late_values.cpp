@@ -3,30 +3,19 @@
 #include <algorithm>
 
 #include "rasterizer/depth_test.hpp"
+#include "scene/primitive_class.hpp"
 
 namespace rasterdiff::rasterizer {
 namespace {
 
 constexpr double kPixel = 1.0 / kSubpixelOne;
 
-bool drawsTriangles(const State& state) {
-  switch (state.topology) {
-    case PrimitiveTopology::TRIANGLE_LIST:
-    case PrimitiveTopology::TRIANGLE_STRIP:
-    case PrimitiveTopology::TRIANGLE_FAN: return state.polygonMode == PolygonMode::FILL;
-    case PrimitiveTopology::POINT_LIST:
-    case PrimitiveTopology::LINE_LIST:
-    case PrimitiveTopology::LINE_STRIP: break;
-  }
-  return false;
-}
-
 Bounds hull(const Bounds& a, const Bounds& b) { return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)}; }
 
 }  // namespace
 
 bool LateValues::serve(const Scene& scene, const SceneNeeds& needs, const PieceValues& values) {
-  return drawsTriangles(scene.state) && !scene.state.alphaToCoverageEnable &&
+  return fillsTriangles(scene.state) && !scene.state.alphaToCoverageEnable &&
          (needs.depth || needs.varyings > 0) && values.mayWait();
 }
 
@@ -136,14 +125,26 @@ void LateValues::restore(PieceValues& values, uint32_t piece) {
   restored_ = piece;
 }
 
+bool LateValues::writesDepth() const { return frame_.depth && state_.depthTestEnable && state_.depthWriteEnable; }
+
 Bounds LateValues::depthBounds(const PieceValues& values, size_t x, size_t y, size_t sample) const {
   const SubpixelPosition& at = pattern_[sample];
-  const PixelValues<1> there(static_cast<double>(x) + at.x * kPixel, static_cast<double>(y) + at.y * kPixel);
-  return toFloat(there.linear(values.depthPlane())).bounds;
+  const Spot spot{static_cast<double>(x) + at.x * kPixel, static_cast<double>(y) + at.y * kPixel};
+  return toFloat(linearOver(values.depthPlane(), pixelRegion<0>(spot))).bounds;
+}
+
+template <class Write>
+void LateValues::forEachInput(size_t sample, Write write) {
+  const Interpolated* input = inputs_.data();
+  for (VaryingPlane& plane : frame_.varyings) {
+    const size_t components = plane.values.components;
+    for (size_t c = sample * components; c < (sample + 1) * components; ++c, ++input) {
+      write(plane.values.data[c], plane.bounds->data[c], *input);
+    }
+  }
 }
 
 void LateValues::settle(PieceValues& values) {
-  const bool writesDepth = frame_.depth && state_.depthTestEnable && state_.depthWriteEnable;
   const auto samples = static_cast<uint32_t>(pattern_.size());
   inputs_.resize(values.componentCount());
   size_t index = 0;
@@ -155,19 +156,13 @@ void LateValues::settle(PieceValues& values) {
         uint32_t& winner = frame_.primitive.data[index];
         if (winner == 0) continue;
         restore(values, winner);
-        if (writesDepth) {
-          frame_.depthBounds->data[index] = depthBounds(values, x, y, s);
-        }
+        if (writesDepth()) frame_.depthBounds->data[index] = depthBounds(values, x, y, s);
         if (evaluated != winner && !inputs_.empty()) values.fragment(place, inputs_.data());
         evaluated = winner;
-        const Interpolated* input = inputs_.data();
-        for (VaryingPlane& plane : frame_.varyings) {
-          const size_t components = plane.values.components;
-          for (size_t c = index * components; c < (index + 1) * components; ++c, ++input) {
-            plane.values.data[c] = input->value;
-            plane.bounds->data[c] = input->bounds;
-          }
-        }
+        forEachInput(index, [](float& value, Bounds& bounds, const Interpolated& input) {
+          value = input.value;
+          bounds = input.bounds;
+        });
         winner = primitives_[winner - 1];
       }
     }
@@ -176,25 +171,18 @@ void LateValues::settle(PieceValues& values) {
 }
 
 void LateValues::widenHidden(PieceValues& values) {
-  const bool writesDepth = frame_.depth && state_.depthTestEnable && state_.depthWriteEnable;
   for (const Hidden& hidden : hidden_) {
     if (frame_.primitive.data[hidden.sample] != primitives_[hidden.piece - 1]) continue;
     restore(values, hidden.piece);
     const size_t pixel = hidden.sample / pattern_.size();
     const size_t x = pixel % frame_.width, y = pixel / frame_.width;
-    if (writesDepth) {
+    if (writesDepth()) {
       Bounds& bounds = frame_.depthBounds->data[hidden.sample];
       bounds = hull(bounds, depthBounds(values, x, y, hidden.sample % pattern_.size()));
     }
     const FragmentPlace place{static_cast<int32_t>(x), static_cast<int32_t>(y), 0, 0};
     if (!inputs_.empty()) values.fragment(place, inputs_.data());
-    const Interpolated* input = inputs_.data();
-    for (VaryingPlane& plane : frame_.varyings) {
-      const size_t components = plane.values.components;
-      for (size_t c = hidden.sample * components; c < (hidden.sample + 1) * components; ++c, ++input) {
-        plane.bounds->data[c] = hull(plane.bounds->data[c], input->bounds);
-      }
-    }
+    forEachInput(hidden.sample, [](float&, Bounds& bounds, const Interpolated& input) { bounds = hull(bounds, input.bounds); });
   }
 }
 

@@ -41,6 +41,10 @@ class LateValues {
   void rememberHidden(size_t first, int32_t length, size_t stride);
   void restore(PieceValues& values, uint32_t piece);
   void widenHidden(PieceValues& values);
+  /// Calls write(value, bounds, input) for each component of the sample's varyings; the inputs are those evaluated last.
+  template <class Write>
+  void forEachInput(size_t sample, Write write);
+  [[nodiscard]] bool writesDepth() const;
   [[nodiscard]] Bounds depthBounds(const PieceValues& values, size_t x, size_t y, size_t sample) const;
 
   const State& state_;

@@ -7,14 +7,10 @@
 #include "scene/built_ins.hpp"
 #include "scene/checks.hpp"
 #include "scene/file/enum_names.hpp"
+#include "scene/primitive_class.hpp"
 
 namespace rasterdiff::checks {
 namespace {
-
-bool isTriangles(PrimitiveTopology topology) { return topology >= PrimitiveTopology::TRIANGLE_LIST; }
-bool isLines(PrimitiveTopology topology) {
-  return topology == PrimitiveTopology::LINE_LIST || topology == PrimitiveTopology::LINE_STRIP;
-}
 
 template <class E>
 Check checkEnumerant(const char* field, E value) {
@@ -43,7 +39,7 @@ Check checkFinite(const char* field, float value) {
 }
 
 Check checkPrimitives(const State& state, uint32_t supersample) {
-  if (state.polygonMode != PolygonMode::FILL && !isTriangles(state.topology)) {
+  if (state.polygonMode != PolygonMode::FILL && topologyClassOf(state.topology) != TopologyClass::Triangle) {
     return bad("state.polygonMode",
                fmt::format("{} where {} makes no polygons", enumName(state.polygonMode), enumName(state.topology)),
                "choose a TRIANGLE_ topology or leave polygonMode out");
@@ -56,7 +52,7 @@ Check checkPrimitives(const State& state, uint32_t supersample) {
                fmt::format("{} is outside 1..{}", state.lineStippleFactor, kMaxLineStippleFactor));
   }
   if (!state.stippledLineEnable) return {};
-  if (!isLines(state.topology) && state.polygonMode != PolygonMode::LINE) {
+  if (!drawsLines(state)) {
     return bad("state.stippledLineEnable", "a stipple pattern without lines",
                "choose a LINE_ topology or polygonMode LINE");
   }

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstring>
 
-#include "vkref/primitive_class.hpp"
+#include "scene/primitive_class.hpp"
 #include "vkref/triangle_list.hpp"
 
 namespace rasterdiff::vkref {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "vkref/primitive_class.hpp"
+#include "scene/primitive_class.hpp"
 
 namespace rasterdiff::vkref {
 namespace {

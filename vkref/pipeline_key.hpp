@@ -8,7 +8,7 @@
 
 #include "scene/scene.hpp"
 #include "vkref/plan.hpp"
-#include "vkref/primitive_class.hpp"
+#include "scene/primitive_class.hpp"
 #include "vkref/shader_code.hpp"
 #include "vkref/spirv_patch.hpp"
 

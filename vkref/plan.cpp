@@ -5,7 +5,7 @@
 
 #include "scene/built_ins.hpp"
 #include "scene/needs.hpp"
-#include "vkref/primitive_class.hpp"
+#include "scene/primitive_class.hpp"
 
 namespace rasterdiff::vkref {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "vkref/commands.hpp"
 #include "vkref/device_impl.hpp"
-#include "vkref/primitive_class.hpp"
+#include "scene/primitive_class.hpp"
 #include "vkref/readback.hpp"
 
 namespace rasterdiff::vkref {

@@ -61,6 +61,12 @@ Examples:
   rasterdiff bless results.json 'depth/*' -o baseline.json --reason "x mirrored in the pixel at 4 samples" --rule R22
   rasterdiff check --driver swiftshader --baseline baseline.json)";
 
+void addTimeout(CLI::App& verb, DriverChoice& choice) {
+  verb.add_option("--timeout", choice.timeoutSeconds, "Seconds a driver may take over one submit")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void addDriverOptions(CLI::App& verb, DriverChoice& choice, const std::string& alsoDrivers) {
@@ -72,9 +78,7 @@ void addDriverOptions(CLI::App& verb, DriverChoice& choice, const std::string& a
                   "auto (the driver's profile if one is known, else spec), spec, a profile (reference, lavapipe, d3d11), or the "
                   "file of one (rasterdiff infer -o FILE)")
       ->capture_default_str();
-  verb.add_option("--timeout", choice.timeoutSeconds, "Seconds a driver may take over one submit")
-      ->check(CLI::Range(0.1, 3600.0))
-      ->capture_default_str();
+  addTimeout(verb, choice);
 }
 
 void addBench(CLI::App& app, BenchOptions& options) {
@@ -100,9 +104,7 @@ void addBench(CLI::App& app, BenchOptions& options) {
   verb->add_flag("--quick", options.quick, "Shorter draws, fewer samples verified");
   verb->add_option("--driver", options.choice.driver, "lavapipe, swiftshader, the path of an ICD manifest (*.json), none")
       ->capture_default_str();
-  verb->add_option("--timeout", options.choice.timeoutSeconds, "Seconds a driver may take over one submit")
-      ->check(CLI::Range(0.1, 3600.0))
-      ->capture_default_str();
+  addTimeout(*verb, options.choice);
 }
 
 void addStability(CLI::App& app, StabilityOptions& options) {
@@ -152,9 +154,7 @@ void addInvariants(CLI::App& app, InvariantsOptions& options) {
   verb->footer(kInvariantsExamples);
   verb->add_option("NAME", options.glob, "Only invariants whose name matches this glob")->capture_default_str();
   verb->add_option("--driver", options.choice.driver, "lavapipe, swiftshader, the path of an ICD manifest (*.json), mutant:NAME")->capture_default_str();
-  verb->add_option("--timeout", options.choice.timeoutSeconds, "Seconds a driver may take over one submit")
-      ->check(CLI::Range(0.1, 3600.0))
-      ->capture_default_str();
+  addTimeout(*verb, options.choice);
   verb->add_option("--seed", options.seed, "The same seed gives the same cases")->check(CLI::Range(uint64_t{0}, uint64_t{1} << 32))->capture_default_str();
   verb->add_option("--count", options.count, "Random cases of each invariant")->check(CLI::Range(uint64_t{1}, uint64_t{1} << 32))->capture_default_str();
   verb->add_option("-o,--output", options.folder, "Folder for the scenes of broken ones; made when needed")->capture_default_str();
@@ -170,9 +170,7 @@ void addInfer(CLI::App& app, InferOptions& options) {
   verb->add_option("-o,--output", options.output, "Write the profile here, for --rules");
   verb->add_flag("--json", options.json, "The card as JSON");
   verb->add_option("--seed", options.seed, "Seed of the experiments")->capture_default_str();
-  verb->add_option("--timeout", options.choice.timeoutSeconds, "Seconds a driver may take over one submit")
-      ->check(CLI::Range(0.1, 3600.0))
-      ->capture_default_str();
+  addTimeout(*verb, options.choice);
 }
 
 void addBless(CLI::App& app, BlessOptions& options) {

@@ -2,13 +2,10 @@
 #include <algorithm>
 
 #include "harness/hunt/ingredients.hpp"
+#include "scene/primitive_class.hpp"
 
 namespace rasterdiff::harness::hunt {
 namespace {
-
-bool makesLines(PrimitiveTopology topology) {
-  return topology == PrimitiveTopology::LINE_LIST || topology == PrimitiveTopology::LINE_STRIP;
-}
 
 void fillUp(std::vector<float>& values, size_t size, Prng& random) {
   while (values.size() < size) values.push_back(randomValue(random));
@@ -41,10 +38,9 @@ void repairDraw(Draw& draw, const Scene& scene, Prng& random) {
 void repair(Scene& scene, Prng& random) {
   using enum PrimitiveTopology;
   State& state = scene.state;
-  const bool triangles = state.topology == TRIANGLE_LIST || state.topology == TRIANGLE_STRIP || state.topology == TRIANGLE_FAN;
-  if (!triangles) state.polygonMode = PolygonMode::FILL;
-  if (state.topology == POINT_LIST || state.topology == LINE_LIST || state.topology == TRIANGLE_LIST) state.primitiveRestartEnable = false;
-  if (!makesLines(state.topology) && state.polygonMode != PolygonMode::LINE) state.stippledLineEnable = false;
+  if (topologyClassOf(state.topology) != TopologyClass::Triangle) state.polygonMode = PolygonMode::FILL;
+  if (isList(state.topology)) state.primitiveRestartEnable = false;
+  if (!drawsLines(state)) state.stippledLineEnable = false;
   if (!scene.target.depthFormat) {
     state.depthTestEnable = state.depthWriteEnable = state.depthBiasEnable = false;
     scene.target.depthClearValue = 1;
@@ -62,7 +58,7 @@ void repair(Scene& scene, Prng& random) {
   }
   const bool points = state.topology == POINT_LIST || state.polygonMode == PolygonMode::POINT;
   if (!points) std::erase(scene.builtIns, BuiltIn::PointCoord);
-  const bool lines = makesLines(state.topology) || state.polygonMode == PolygonMode::LINE;
+  const bool lines = drawsLines(state);
   const bool smooth = state.lineRasterizationMode == LineRasterizationMode::RECTANGULAR_SMOOTH;
   if (smooth) state.stippledLineEnable = false;  // a feature of its own
   if (lines && (smooth || state.lineRasterizationMode == LineRasterizationMode::BRESENHAM)) {

@@ -1,4 +1,5 @@
 #include "harness/hunt/traits.hpp"
+#include "scene/primitive_class.hpp"
 
 #include <algorithm>
 #include <array>
@@ -42,7 +43,7 @@ class Collector {
     using enum PrimitiveTopology;
     const State& state = scene_.state;
     const PrimitiveTopology topology = state.topology;
-    const bool triangles = topology == TRIANGLE_LIST || topology == TRIANGLE_STRIP || topology == TRIANGLE_FAN;
+    const bool triangles = topologyClassOf(topology) == TopologyClass::Triangle;
     set(Trait::Points, topology == POINT_LIST);
     set(Trait::Lines, topology == LINE_LIST || topology == LINE_STRIP);
     set(Trait::Triangles, triangles);

@@ -148,7 +148,7 @@ void BuiltInValues::pointCoord(const FragmentPlace& place, const AttributeLocati
   RegionStorage turned;
   for (size_t i = 0; i < region.corners.size(); ++i) turned.box[i] = flipped(region.corners[i]);
   out[0] = toFloat(linearOver(pointS_, region));
-  out[1] = toFloat(linearOver(pointT_, {flipped(nominal), std::span<const Spot>(turned.box).first(region.corners.size())}));
+  out[1] = toFloat(linearOver(pointT_, EvaluationRegion{flipped(nominal), std::span<const Spot>(turned.box).first(region.corners.size())}));
 }
 
 Interpolated BuiltInValues::sampleMask(const FragmentPlace& place, const AttributeLocation& location) {

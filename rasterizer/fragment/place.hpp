@@ -1,6 +1,7 @@
 // Where a fragment is, and where within it a value is evaluated.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -27,6 +28,23 @@ struct EvaluationRegion {
   Spot nominal;
   std::span<const Spot> corners;
 };
+
+/// The same for one place or the pixel around it, with as many corners as the compiler knows: 0 or 4.
+template <size_t kCorners>
+struct PixelRegion {
+  Spot nominal;
+  std::array<Spot, kCorners> corners;
+};
+
+template <size_t kCorners>
+[[nodiscard]] PixelRegion<kCorners> pixelRegion(const Spot& centre) {
+  PixelRegion<kCorners> region{centre, {}};
+  if constexpr (kCorners == 4) {
+    const double left = centre.x - 0.5, right = centre.x + 0.5, top = centre.y - 0.5, bottom = centre.y + 0.5;
+    region.corners = {{{left, top}, {right, top}, {left, bottom}, {right, bottom}}};
+  }
+  return region;
+}
 
 [[nodiscard]] inline Spot centreOf(const FragmentPlace& place) { return {place.x + 0.5, place.y + 0.5}; }
 

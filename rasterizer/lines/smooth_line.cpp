@@ -7,6 +7,7 @@
 
 #include "rasterizer/fragment/place.hpp"
 #include "rasterizer/lines/line_width.hpp"
+#include "scene/primitive_class.hpp"
 
 namespace rasterdiff::rasterizer {
 namespace {
@@ -63,10 +64,7 @@ struct Rectangle {
 }  // namespace
 
 bool drawsSmoothLines(const State& state) {
-  const bool lines = state.topology == PrimitiveTopology::LINE_LIST || state.topology == PrimitiveTopology::LINE_STRIP;
-  const bool points = state.topology == PrimitiveTopology::POINT_LIST;
-  return state.lineRasterizationMode == LineRasterizationMode::RECTANGULAR_SMOOTH &&
-         (lines || (!points && state.polygonMode == PolygonMode::LINE));
+  return state.lineRasterizationMode == LineRasterizationMode::RECTANGULAR_SMOOTH && drawsLines(state);
 }
 
 Interval smoothCoverage(const RasterVertex& a, const RasterVertex& b, float width, const Limits& limits, int32_t x,

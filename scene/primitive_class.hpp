@@ -3,7 +3,7 @@
 
 #include "scene/scene.hpp"
 
-namespace rasterdiff::vkref {
+namespace rasterdiff {
 
 /// [vk:drawing-primitive-topology-class]
 enum class TopologyClass : uint8_t { Point, Line, Triangle };
@@ -24,6 +24,10 @@ enum class TopologyClass : uint8_t { Point, Line, Triangle };
   return topologyClassOf(state.topology) == TopologyClass::Triangle ? state.polygonMode : PolygonMode::FILL;
 }
 
+[[nodiscard]] inline bool fillsTriangles(const State& state) {
+  return topologyClassOf(state.topology) == TopologyClass::Triangle && state.polygonMode == PolygonMode::FILL;
+}
+
 [[nodiscard]] inline bool drawsPoints(const State& state) {
   return state.topology == PrimitiveTopology::POINT_LIST || polygonModeOf(state) == PolygonMode::POINT;
 }
@@ -32,4 +36,4 @@ enum class TopologyClass : uint8_t { Point, Line, Triangle };
   return topologyClassOf(state.topology) == TopologyClass::Line || polygonModeOf(state) == PolygonMode::LINE;
 }
 
-}  // namespace rasterdiff::vkref
+}  // namespace rasterdiff
