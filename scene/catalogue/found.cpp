@@ -64,6 +64,12 @@ void addLines(Family& family) {
     scene.draws[0].varyings = {one("noperspective", Interpolation::noperspective, {1, 1})};
     return scene;
   });
+  family.add("line-over-tile-4x", "a level line, half above and half below a row that drivers may begin a tile with", {"R17", "R27"}, [] {
+    Scene scene = target(4, 66, 4);
+    useLines(scene, LineRasterizationMode::RECTANGULAR);
+    draw(scene, {{1, 64}, {3, 64}});
+    return scene;
+  });
   family.add("line-over-viewport-4x", "the viewport does not cut the width of lines, at four samples either", {"R2", "R27"}, [] {
     Scene scene = pixel(LINE_LIST, {{-0.75f, 1, 0.5f, 1}, {-0.625f, 1, 0.5f, 1}}, 4);
     scene.viewport = {-2, -4, 16, 4, 0, 1};
@@ -101,6 +107,13 @@ void addPoints(Family& family) {
 
 void addOutlines(Family& family) {
   using enum PolygonMode;
+  family.add("edges-bresenham-4x", "a Bresenham edge of a polygon has all samples of its pixels", {"R31", "R34"}, [] {
+    Scene scene = outlined(LINE, {{-0.5f, -0.25f, 0, 1}, {0.5f, 0.25f, 0, 1}, {0, 0.5f, 0, 1}}, 4);
+    scene.target.width = scene.target.height = 8;
+    scene.viewport = {0, 0, 8, 8, 0, 1};
+    scene.state.lineRasterizationMode = LineRasterizationMode::BRESENHAM;
+    return scene;
+  });
   family.add("edges-before-depth", "two edges of one triangle in a pixel, nearer and farther: they come in any order", {"R34", "R38", "R50"}, [] {
     Scene scene = outlined(LINE, {{-1, -1, 1, 1}, {1, 1, 1, 1}, {1, 1, 0, 1}});
     useDepth(scene, CompareOp::LESS_OR_EQUAL);

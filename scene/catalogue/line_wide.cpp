@@ -13,6 +13,18 @@ Scene wide(LineRasterizationMode mode, float width, uint32_t samples) {
   return scene;
 }
 
+/// One line in each octant and along each axis, shorter than most are wide, across one another: their numbers and the
+/// last of them are compared at every sample.
+Scene octants(LineRasterizationMode mode, float width, uint32_t samples) {
+  Scene scene = square(256, samples);
+  useLines(scene, mode, width);
+  draw(scene, {{74.25, 121.5}, {165.75, 121.5}, {119.125, 65.25}, {148.5, 98.0625}, {138.5, 59.75}, {159.3, 128.7},
+               {128.5, 177.5}, {128.5, 78.5}, {149.7, 68.2}, {118.4, 149.9}, {168.5, 98.5}, {88.5, 178.5},
+               {182.25, 149}, {73.0625, 109.75}, {158.5, 148.5}, {118.5, 108.5}, {109.2, 158.6}, {139.9, 97.1},
+               {95.5, 73.5}, {119.5, 183.5}, {127.1, 127.3}, {130.6, 128.4}, {178.5, 119}, {77.5, 130.75}});
+  return scene;
+}
+
 }  // namespace
 
 void addLineWide(Entries& entries) {
@@ -28,6 +40,25 @@ void addLineWide(Entries& entries) {
   }
   family.add("bresenham-5-4x", "every pixel of a wide Bresenham line has all samples", {"R29", "R30", "R31"},
              [] { return wide(BRESENHAM, 5, 4); });
+  struct Mode {
+    const char* name;
+    LineRasterizationMode mode;
+    bool everySampleCount;  ///< of every width
+    std::vector<std::string> rules;
+  };
+  for (const Mode& kind : {Mode{"rect", RECTANGULAR, true, {"R27", "R50", "R51"}},
+                           Mode{"default", DEFAULT, false, {"R28", "R50", "R51"}},
+                           Mode{"bresenham", BRESENHAM, true, {"R29", "R30", "R31"}},
+                           Mode{"smooth", RECTANGULAR_SMOOTH, false, {"R33"}}}) {
+    for (const float width : {32.0f, 64.5f, 128.0f, 255.0f}) {
+      for (const uint32_t samples : {1u, 4u}) {
+        const uint32_t wanted = width == 32 || width == 128 ? 1 : 4;
+        if (!kind.everySampleCount && samples != wanted) continue;
+        family.add(fmt::format("octants-{}-{}-{}x", kind.name, width, samples), "lines wider than long, in all octants",
+                   kind.rules, [mode = kind.mode, width, samples] { return octants(mode, width, samples); });
+      }
+    }
+  }
   family.add("rect-crossing", "wide lines in perspective cross one another: the last one wins", {"R27", "R50"}, [] {
     Scene scene = square(64);
     useLines(scene, RECTANGULAR, 7);

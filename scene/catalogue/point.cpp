@@ -70,6 +70,17 @@ void addPoint(Entries& entries) {
     draw(scene, {{10.3, 12.7}, {58.1, 50.2}}).pointSizes = {64, 63.5f};
     return scene;
   });
+  for (const uint32_t samples : {1u, 4u}) {
+    family.add(samples == 1 ? "to-255-1x" : "to-255-4x", "sizes up to 255 pixels in eighths, around centres at fractions", {"R25", "R50", "R51"},
+               [samples] {
+                 Scene scene = square(256, samples);
+                 usePoints(scene);
+                 draw(scene, {{128.5, 128.5}, {119.0625, 136.9375}, {138.5, 117.25}, {128, 128}, {117.9375, 121.5}, {129.3, 126.7},
+                              {4.5, 251.5}, {158.0625, 8.5}, {78.5, 178.75}})
+                     .pointSizes = {255, 254.875f, 200.125f, 192, 160.5f, 128, 127.875f, 100.625f, 65};
+                 return scene;
+               });
+  }
   family.add("beyond-range", "a size beyond those that devices advertise", {"R25", "R51"}, [] {
     Scene scene = target(16, 384);
     usePoints(scene, 5000);

@@ -6,6 +6,7 @@ namespace rasterdiff::families {
 namespace {
 
 constexpr const char* kSeams = "https://github.com/ssloy/tinyrenderer/issues/32";
+constexpr const char* kGrazingSeams = "https://github.com/jdolan/quetoo/issues/517";
 
 Scene diagonal(uint32_t samples) {
   Scene scene = square(32, samples);
@@ -23,6 +24,29 @@ Scene pair(const std::vector<Px>& first, const std::vector<Px>& second) {
 
 Scene mesh(SharedMesh kind, Grid grid, uint32_t samples, uint32_t pieces, uint64_t seed) {
   return sharedEdges({seed, kind, grid, samples, 64, pieces});
+}
+
+/// A tiled floor at a grazing angle, turned a little. `split`: every second row of tiles has its corners in the middle of
+/// its neighbours' edges, at places that are rounded for themselves.
+Scene tiledFloor(bool split) {
+  constexpr int kColumns = 12, kRows = 10;
+  Scene scene = square(96, 4);
+  const auto corner = [](double column, double row) {
+    const double along = 0.9 * row, across = 0.31 * (column - kColumns / 2.0);
+    const double x = 0.96 * across - 0.28 * (along - 4), w = 0.28 * across + 0.96 * along + 3.2;
+    return ClipPosition{static_cast<float>(x), 2.2f, static_cast<float>(0.5 * w), static_cast<float>(w)};
+  };
+  std::vector<ClipPosition> v;
+  for (int row = 0; row < kRows; ++row) {
+    const double shift = split && row % 2 == 1 ? 0.5 : 0;
+    for (int column = 0; column < kColumns; ++column) {
+      const ClipPosition a = corner(column + shift, row), b = corner(column + 1 + shift, row);
+      const ClipPosition c = corner(column + 1 + shift, row + 1), d = corner(column + shift, row + 1);
+      v.insert(v.end(), {a, b, c, a, c, d});
+    }
+  }
+  drawClip(scene, std::move(v));
+  return scene;
 }
 
 }  // namespace
@@ -77,6 +101,12 @@ void addSharedEdge(Entries& entries) {
                  {24.5, 28.5}});
     return scene;
   });
+  family.add(
+      "grazing-floor-4x", "a tiled floor at a grazing angle has no seams at four samples", {"R1", "R14", "R15"},
+      [] { return tiledFloor(false); }, kGrazingSeams);
+  family.add(
+      "grazing-t-junctions-4x", "the same with vertices on neighbours' edges: seams, but the same ones", {"R1", "R14", "R15"},
+      [] { return tiledFloor(true); }, kGrazingSeams);
   family.add("off-grid-edge", "the shared edge's ends are snapped, to the same place for both", rules, [] {
     Scene scene = square(64);
     const Px a{5.1234567, 7.7654321}, b{58.3333333, 49.9999999};
