@@ -154,7 +154,10 @@ class DrawGeometry {
     if (clipTriangle(triangle, rules_.choices.clipArithmetic, volume_, clipped_) == ClipOutcome::Rejected) return false;
     if (clipped_.size < 3) return false;
     for (int i = 0; i < clipped_.size; ++i) {
-      if (clipped_.vertices[static_cast<size_t>(i)].position[3] <= 0) return false;
+      if (clipped_.vertices[static_cast<size_t>(i)].position[3] > 0) continue;
+      // The cut went through the origin of clip space: without depth clipping a triangle may contain the eye.
+      primitive_.unprojectable = rules_.open;
+      return false;
     }
     for (int i = 0; i < clipped_.size; ++i) {
       primitive_.polygon.push_back(stage_.clipped(clipped_.vertices[static_cast<size_t>(i)]));

@@ -67,7 +67,7 @@ struct Primitive {
   bool cutByDistance = false;  ///< by a clip distance among others
   bool folded = false;         ///< snapping folded the cut polygon: CutPolygon decides for all pieces together
   bool reversed = false;       ///< folded: it runs counter-clockwise on the screen, as far as facing is concerned
-  bool unprojectable = false;  ///< some w is 0: no polygon, and no sample of the target is certain (open rules)
+  bool unprojectable = false;  ///< some w is 0, of a new vertex too: no polygon, and no sample of the target is certain (open rules)
   std::vector<RasterVertex> polygon;
   std::vector<SetupTriangle> pieces;  ///< filled triangles
   std::vector<Figure> figures;        ///< lines and points

@@ -159,7 +159,7 @@ Interpolated PieceValues::depth(double x, double y) const {
     const double z = varied_->depth.at({static_cast<float>(x), static_cast<float>(y)});
     return depthStage_.stored({z, z, z});
   }
-  if (figure_ == nullptr && plainDepth_ && !uncut_) return toFloat(linearOver(planes_.depth, there));
+  if (figure_ == nullptr && plainDepth_ && !uncut_) return roundedDepth(linearOver(planes_.depth, there));
   if (smoothLine_) {
     RegionStorage storage;
     return depthStage_.stored(depthOver(nearby({x, y}, storage)));

@@ -130,7 +130,7 @@ bool LateValues::writesDepth() const { return frame_.depth && state_.depthTestEn
 Bounds LateValues::depthBounds(const PieceValues& values, size_t x, size_t y, size_t sample) const {
   const SubpixelPosition& at = pattern_[sample];
   const Spot spot{static_cast<double>(x) + at.x * kPixel, static_cast<double>(y) + at.y * kPixel};
-  return toFloat(linearOver(values.depthPlane(), pixelRegion<0>(spot))).bounds;
+  return roundedDepth(linearOver(values.depthPlane(), pixelRegion<0>(spot))).bounds;
 }
 
 template <class Write>

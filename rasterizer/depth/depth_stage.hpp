@@ -8,6 +8,13 @@
 
 namespace rasterdiff::rasterizer {
 
+/// A depth that is only rounded. [vk:vertexpostproc-clipping] what is inside of the view volume has one in 0..1: one that
+/// rounding puts outside may be clamped.
+[[nodiscard]] inline Interpolated roundedDepth(const Interval& z) {
+  const Interpolated depth = toFloat(z);
+  return {depth.value, {std::min(depth.bounds.lo, 1.0F), std::max(depth.bounds.hi, 0.0F)}};
+}
+
 class DepthStage {
  public:
   DepthStage(const Scene& scene, const Rules& rules, RuleCounts* counts);

@@ -52,6 +52,12 @@ void addNearPlane(Entries& entries) {
   family.add("w-zero-origin", "a vertex (0, 0, 0, 0) is nowhere; nothing breaks", rules, [] {
     return clipped({{-0.5f, 0.5f, 0.5f, 1}, {0.5f, 0.5f, 0.5f, 1}, {0, 0, 0, 0}});
   });
+  family.add("through-the-eye", "an edge through the eye, without depth clipping: where it is cut, nothing can be divided", {"R1", "R3", "R4"}, [] {
+    Scene scene = square(32);
+    drawClip(scene, {{-0.875f, 0.5625f, 0.5f, 1.25f}, {-1.5f, 1.5f, 0.5f, 1.5f}, {0.5f, -0.5f, 0.25f, -0.5f}});
+    scene.state.depthClampEnable = true;
+    return scene;
+  });
   family.add("w-tiny", "w next to 0 with huge quotients", rules, [] {
     return clipped({{-0.5f, 0.5f, 0.5f, 1}, {0.5f, 0.5f, 0.5f, 1}, {0.001f, -1, 0, 1e-6f}});
   });
