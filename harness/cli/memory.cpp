@@ -10,9 +10,9 @@ namespace rasterdiff::harness::cli {
 
 void keepFreedMemory() {
 #if defined(__GLIBC__)
-  constexpr int kKept = 32 << 20;  // bytes; glibc takes no larger threshold
-  mallopt(M_MMAP_THRESHOLD, kKept);
-  mallopt(M_TRIM_THRESHOLD, 8 * kKept);
+  constexpr int kKept = 1 << 30;  // bytes
+  mallopt(M_MMAP_MAX, 0);         // what is mapped for itself goes back to the system at once
+  mallopt(M_TRIM_THRESHOLD, kKept);
 #endif
 }
 
