@@ -109,7 +109,13 @@ struct InferOptions {
   uint64_t seed = 1;
 };
 
+struct ExportOptions {
+  std::string scene;
+  std::string amber, file;  ///< paths of the Amber script and of the scene file; empty = not wanted
+  DriverChoice choice{.driver = "none", .rules = "spec"};
+};
+
 using Verb = std::variant<CheckOptions, RenderOptions, ExplainOptions, BenchOptions, DevicesOptions, ListOptions, HuntOptions,
-                          BlessOptions, MethodsOptions, StabilityOptions, InvariantsOptions, InferOptions>;
+                          BlessOptions, MethodsOptions, StabilityOptions, InvariantsOptions, InferOptions, ExportOptions>;
 
 }  // namespace rasterdiff::harness::cli

@@ -181,6 +181,7 @@ tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
   MethodsOptions methods;
   InvariantsOptions invariants;
   InferOptions infer;
+  ExportOptions exported;
   addCheck(app, check);
   addRender(app, render);
   addExplain(app, explain);
@@ -195,6 +196,7 @@ tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
   addBless(app, bless);
   addMethods(app, methods);
   addInvariants(app, invariants);
+  addExport(app, exported);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -221,6 +223,7 @@ tl::expected<Verb, NothingToRun> parse(int argc, const char* const* argv) {
   if (verb == "bless") return bless;
   if (verb == "methods") return methods;
   if (verb == "invariants") return invariants;
+  if (verb == "export") return exported;
   return list;
 }
 

@@ -1,4 +1,4 @@
-// Options and help of the verbs that measure and search: bench, stability, methods, hunt, invariants, infer, bless.
+// Options and help of the verbs that measure and search: bench, stability, methods, hunt, invariants, infer, bless, export.
 #include <CLI/CLI.hpp>
 
 #include "harness/cli/parse_verbs.hpp"
@@ -60,6 +60,14 @@ Examples:
   rasterdiff check --driver swiftshader --json results.json
   rasterdiff bless results.json 'depth/*' -o baseline.json --reason "x mirrored in the pixel at 4 samples" --rule R22
   rasterdiff check --driver swiftshader --baseline baseline.json)";
+
+constexpr const char* kExportExamples = R"(An Amber script repeats a scene for people who do not have this program: Amber draws it and demands every sample and value that the
+rules determine. Run it with `amber FILE`.
+
+Examples:
+  rasterdiff export fill/shared-diagonal --amber shared.amber
+  rasterdiff export findings/1.scene.json --amber bug.amber --driver lavapipe     with the device's own limits
+  rasterdiff export viewport/flipped --scene flipped.scene.json                   a scene of the catalogue, to be changed)";
 
 void addTimeout(CLI::App& verb, DriverChoice& choice) {
   verb.add_option("--timeout", choice.timeoutSeconds, "Seconds a driver may take over one submit")
@@ -184,6 +192,17 @@ void addBless(CLI::App& app, BlessOptions& options) {
   });
   verb->add_option("--rule", options.rule, "Id of the broken rule, as R39");
   verb->add_option("--anchor", options.anchor, "Its place in the specification, as vk:fragops-scissor");
+}
+
+void addExport(CLI::App& app, ExportOptions& options) {
+  CLI::App* verb = app.add_subcommand("export", "A scene as an Amber script, or as a scene file");
+  verb->footer(kExportExamples);
+  verb->add_option("SCENE", options.scene, "Catalogue name or scene file")->required();
+  CLI::Option_group* what = verb->add_option_group("What");
+  what->add_option("--amber", options.amber, "Write an Amber script");
+  what->add_option("--scene", options.file, "Write a scene file");
+  what->require_option(1, 2);
+  addDriverOptions(*verb, options.choice, ", none: no device, common limits");
 }
 
 }  // namespace rasterdiff::harness::cli

@@ -21,5 +21,6 @@ void addHunt(CLI::App& app, HuntOptions& options);
 void addInvariants(CLI::App& app, InvariantsOptions& options);
 void addInfer(CLI::App& app, InferOptions& options);
 void addBless(CLI::App& app, BlessOptions& options);
+void addExport(CLI::App& app, ExportOptions& options);
 
 }  // namespace rasterdiff::harness::cli

@@ -20,5 +20,6 @@ namespace rasterdiff::harness::cli {
 [[nodiscard]] int runVerb(const MethodsOptions& options);
 [[nodiscard]] int runVerb(const InvariantsOptions& options);
 [[nodiscard]] int runVerb(const InferOptions& options);
+[[nodiscard]] int runVerb(const ExportOptions& options);
 
 }  // namespace rasterdiff::harness::cli
