@@ -26,6 +26,10 @@ bool onOriginalEdge(const RasterVertex& a, const RasterVertex& b) {
   return false;
 }
 
+bool atCorner(const RasterVertex& vertex) {
+  return vertex.made && std::ranges::any_of(vertex.smoothWeights, [](double weight) { return weight == 1; });
+}
+
 // [choice:cut-outline] Flagged: the edges of each triangle of the fan come last edge first. The one that closes the
 // polygon is then the first of a whole triangle, and the last but one of a cut polygon that begins with its provoking vertex.
 size_t flaggedOrder(bool cut, ProvokingVertexMode mode, size_t n, size_t k) {
@@ -241,7 +245,9 @@ void FigureMaker::makeOutline(Primitive& primitive, const ClipPolygon& polygon, 
     ends.clip = {rounded(polygon.vertices[i]), rounded(polygon.vertices[(i + 1) % n])};
     ends.floatA = floatPosition(stage_, polygon.vertices[i]);
     ends.floatB = floatPosition(stage_, polygon.vertices[(i + 1) % n]);
-    const bool wanted = flagged ? polygon.vertices[i].outlined : !primitive.cut || onOriginalEdge(a, b);
+    // A triangle cut down to one of its edges has that edge, and the one along the cut in the same place.
+    const bool alongCut = atCorner(a) && atCorner(b);
+    const bool wanted = flagged ? polygon.vertices[i].outlined : !primitive.cut || (onOriginalEdge(a, b) && !alongCut);
     if (wanted || rules_.open) addLine(primitive, ends, true, !wanted);
   }
 }

@@ -155,6 +155,11 @@ void addTriangles(Family& family) {
     scene.draws[0].varyings = {one("noperspective", Interpolation::noperspective, {0, 0, -1})};
     return scene;
   });
+  family.add("cut-sliver-folds", "a sliver that the near plane cuts: whatever snapping makes of it, a sample is covered once", {"R3", "R14"}, [] {
+    Scene scene = pixel(TRIANGLE_LIST, {{0.277f, 1.0986f, -0.4f, 2.1555f}, {0.3518f, 0.764f, 0.8f, 1.3325f}, {0.3734f, 0.74175f, 0.0046f, 1.26087f}});
+    scene.viewport = {-80, -100, 128, 128, 0, 1};
+    return scene;
+  });
   family.add("bias-of-largest-depth", "the unit of a float bias comes from the largest depth, whichever vertex has it", {"R36"}, [] {
     return biased(pixel(TRIANGLE_LIST, {{-1, -1, 0.3f, 1}, {1, -1, 0.15f, 1}, {1, 1, 0.15f, 1}}), -70000, 0);
   });

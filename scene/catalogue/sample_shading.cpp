@@ -36,6 +36,17 @@ void addSampleShading(Entries& entries) {
     addVarying(scene, "flat", Interpolation::flat, 1);
     return scene;
   });
+  for (const float minimum : {0.0f, 0.5f}) {
+    family.add(fmt::format("masks-{}", minimum), "SampleMask has the samples of an invocation, however many there are", {"R19", "R24"},
+               [minimum] {
+                 Scene scene = square(16, 4);
+                 scene.state.sampleShadingEnable = true;
+                 scene.state.minSampleShading = minimum;
+                 draw(scene, {{1.25, 1.5}, {14.75, 5}, {5.5, 14.125}});
+                 scene.builtIns = {BuiltIn::SampleMask};
+                 return scene;
+               });
+  }
   family.add("ids", "SampleId and SamplePosition shade every sample by itself", {"R19", "R24"}, [] {
     Scene scene = square(16, 4);
     draw(scene, {{1.25, 1.5}, {14.75, 5}, {5.5, 14.125}});
