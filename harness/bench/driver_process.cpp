@@ -3,11 +3,8 @@
 #include "harness/bench/driver_process.hpp"
 
 #include <fmt/format.h>
-#include <poll.h>
 #include <sched.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -18,39 +15,13 @@
 #include "harness/bench/machine.hpp"
 #include "harness/bench/truth.hpp"
 #include "harness/cli/isolated.hpp"
+#include "harness/pipe_bytes.hpp"
 #include "harness/report/record.hpp"
 
 namespace rasterdiff::harness::bench {
 namespace {
 
 constexpr char kGood = '+', kError = '-';
-
-bool readFully(int fd, char* into, size_t size, std::chrono::steady_clock::time_point until) {
-  while (size > 0) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - std::chrono::steady_clock::now()).count();
-    pollfd waiting{fd, POLLIN, 0};
-    const int ready = poll(&waiting, 1, static_cast<int>(std::max<int64_t>(0, left)));
-    if (ready < 0 && errno == EINTR) continue;
-    if (ready <= 0) return false;
-    const ssize_t got = read(fd, into, size);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return false;
-    into += got;
-    size -= static_cast<size_t>(got);
-  }
-  return true;
-}
-
-bool writeFully(int fd, const char* from, size_t size) {
-  while (size > 0) {
-    const ssize_t put = write(fd, from, size);
-    if (put < 0 && errno == EINTR) continue;
-    if (put <= 0) return false;
-    from += put;
-    size -= static_cast<size_t>(put);
-  }
-  return true;
-}
 
 void reply(int fd, char kind, const std::string& payload) {
   const auto length = static_cast<uint32_t>(payload.size());
@@ -97,13 +68,7 @@ void serve(const DriverProcess::Job& job, int requests, int answers) {
   Scene scene;
   std::optional<uint64_t> sceneOfTriangles;
   for (uint64_t triangles = 0;;) {
-    size_t got = 0;
-    while (got < sizeof triangles) {
-      const ssize_t more = read(requests, reinterpret_cast<char*>(&triangles) + got, sizeof triangles - got);
-      if (more < 0 && errno == EINTR) continue;
-      if (more <= 0) return;
-      got += static_cast<size_t>(more);
-    }
+    if (!readFully(requests, reinterpret_cast<char*>(&triangles), sizeof triangles)) return;
     const uint64_t wanted = triangles == 0 ? job.verified : triangles;
     if (wanted != sceneOfTriangles) scene = sceneOf(*job.load, job.task, wanted);
     sceneOfTriangles = wanted;

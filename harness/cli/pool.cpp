@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "harness/cli/process.hpp"
+#include "harness/pipe_bytes.hpp"
 
 namespace rasterdiff::harness::cli {
 namespace {
@@ -20,29 +21,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr uint32_t kLongestMessage = 1U << 30;
 constexpr size_t kHeader = 1 + sizeof(uint32_t);
-
-/// False at the end of the pipe.
-bool readAll(int fd, char* into, size_t size) {
-  while (size > 0) {
-    const ssize_t got = read(fd, into, size);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return false;
-    into += got;
-    size -= static_cast<size_t>(got);
-  }
-  return true;
-}
-
-bool writeAll(int fd, const char* from, size_t size) {
-  while (size > 0) {
-    const ssize_t put = write(fd, from, size);
-    if (put < 0 && errno == EINTR) continue;
-    if (put <= 0) return false;
-    from += put;
-    size -= static_cast<size_t>(put);
-  }
-  return true;
-}
 
 struct Worker {
   Child child;
@@ -170,7 +148,7 @@ class Pool {
     waiting_.pop_front();
     const uint32_t job = *worker.job;
     // A worker that is gone already shows as the end of its message pipe.
-    (void)writeAll(worker.child.jobs, reinterpret_cast<const char*>(&job), sizeof job);
+    (void)writeFully(worker.child.jobs, reinterpret_cast<const char*>(&job), sizeof job);
   }
 
   void watch(Worker& worker) {
@@ -218,7 +196,7 @@ class Pool {
 
 std::optional<uint32_t> WorkerLink::nextJob() const {
   uint32_t job = 0;
-  if (!readAll(jobs_, reinterpret_cast<char*>(&job), sizeof job)) return std::nullopt;
+  if (!readFully(jobs_, reinterpret_cast<char*>(&job), sizeof job)) return std::nullopt;
   return job;
 }
 
@@ -228,7 +206,7 @@ void WorkerLink::send(char kind, std::string_view payload) const {
   message.append(reinterpret_cast<const char*>(&size), sizeof size);
   message.append(payload.substr(0, size));
   // Without a reader there is nobody left to work for: the worker dies with its parent.
-  (void)writeAll(messages_, message.data(), message.size());
+  (void)writeFully(messages_, message.data(), message.size());
 }
 
 PoolOutcome runPool(std::span<const uint32_t> order, const PoolOptions& options,

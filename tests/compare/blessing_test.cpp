@@ -15,7 +15,7 @@ constexpr const char* kResults = R"JSON({"format": "rasterdiff-results-1", "driv
   {"id": "b/skipped", "verdict": "Skipped", "differing": 0, "values": {}}]})JSON";
 
 BaselineEntry entry(const std::string& scene, const std::string& version = "Mesa 22.3") {
-  return {"llvmpipe", version, "", scene, {"coverage"}, "", "", "an old reason"};
+  return {"llvmpipe", version, "", scene, {"coverage"}, "", "", "an old reason", {}};
 }
 
 TEST(Bless, WhatDiffersGetsAnEntryWithItsPlanesAndTheReason) {

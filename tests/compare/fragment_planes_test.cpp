@@ -20,7 +20,9 @@ Scene halfScene(float alpha = 1) {
   Varying colour;
   colour.name = "colour";
   colour.interpolation = Interpolation::flat;
-  for (int i = 0; i < 4; ++i) colour.values.insert(colour.values.end(), {0.25F, 3, -1, alpha});
+  for (int i = 0; i < 4; ++i) {
+    for (const float component : {0.25F, 3.0F, -1.0F, alpha}) colour.values.push_back(component);
+  }
   scene.draws[0].varyings = {colour};
   return scene;
 }

@@ -44,6 +44,7 @@ TEST(Planes, WhereNothingIsDrawnDepthIsTheClearValueAndValuesAreZero) {
   scene.target.depthClearValue = 0.25F;
   scene.draws[0].varyings = {{"a", Interpolation::smooth, 1, {3, 3, 3}}};
   const Frame frame = *render(scene, testing::referenceRules());
+  ASSERT_TRUE(frame.depth);
   EXPECT_EQ(frame.depth->at(7, 7, 0), 0.25F);
   EXPECT_EQ(frame.depthBounds->at(7, 7, 0).lo, 0.25F);
   EXPECT_EQ(frame.depthBounds->at(7, 7, 0).hi, 0.25F);

@@ -49,7 +49,7 @@ void expectOneToSix(const Result<NpyMatrix>& matrix) {
 
 TEST(Npy, BothPrecisionsOrdersEndiannessesAndAllVersionsAreRead) {
   const std::string floats = bytesOf({1.F, 2.F, 3.F, 4.F, 5.F, 6.F});
-  for (const char major : {1, 2, 3}) expectOneToSix(NpyMatrix::parse(npyOf(header("<f4", "(2, 3)"), floats, major), "f"));
+  for (const char major : {'\1', '\2', '\3'}) expectOneToSix(NpyMatrix::parse(npyOf(header("<f4", "(2, 3)"), floats, major), "f"));
   expectOneToSix(NpyMatrix::parse(npyOf(header("<f8", "(2, 3)"), bytesOf({1.0, 2.0, 3.0, 4.0, 5.0, 6.0})), "f"));
   expectOneToSix(NpyMatrix::parse(npyOf(header("<f4", "(2, 3)", "True"), bytesOf({1.F, 4.F, 2.F, 5.F, 3.F, 6.F})), "f"));
   std::string swapped = floats;
