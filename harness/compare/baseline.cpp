@@ -78,6 +78,8 @@ Result<Baseline> parseBaseline(std::string_view text, const std::string& fileNam
     json = Json::parse(text);
   } catch (const Json::parse_error& error) {
     return fail(ErrorCode::BadInput, placeOf(text, fileName, error.byte), "not JSON", "an object with a list \"entries\"");
+  } catch (const Json::out_of_range&) {
+    return fail(ErrorCode::BadInput, fileName, "a number that no double holds", "entries are texts and lists of texts");
   }
   if (!json.is_object() || !json.contains("entries") || !json["entries"].is_array()) {
     return fail(ErrorCode::BadInput, fileName, "a baseline is an object with a list \"entries\"");
