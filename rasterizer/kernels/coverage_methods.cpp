@@ -14,12 +14,13 @@ const std::vector<CoverageMethod>& coverageMethods() {
   static const std::vector<CoverageMethod> all = {
       {"spans", "exact spans, SIMD", true, [](Triangles t, CoverageMask& m) { drawCoverage(t, m); }},
       {"hierarchical", "int64 edge functions, 8x8 blocks left out or filled by their corners", true, methods::hierarchical},
+      {"block-hierarchy", "int64 edge functions, blocks of 64, 16 and 4 pixels left out or filled", true, methods::blockHierarchy},
       {"block-parallel", "int64 edge functions, all samples of 8x8 blocks", true, methods::blockParallel},
       {"integer-spans", "spans by 128-bit division", true,
        [](Triangles triangles, CoverageMask& m) {
          for (const SnappedTriangle& t : triangles) drawIntegerSpans(t, m);
        }},
-      {"oracle", "int64 edge functions at every sample of the box", true, drawCoverageOracle},
+      {"bounding-box", "int64 edge functions at every sample of the box: the oracle", true, drawCoverageOracle},
       {"cross-products", "three cross products, either winding, no tie rule", false, methods::threeCrossProducts},
       {"edge-double", "edge functions in double", false, methods::edgeFunctionsDouble},
       {"edge-float", "edge functions in float", false, methods::edgeFunctionsFloat},

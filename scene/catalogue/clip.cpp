@@ -1,4 +1,6 @@
 // The sides of the view volume: rejection, cutting into smaller triangles, vertices exactly on a plane.
+#include <fmt/format.h>
+
 #include "scene/catalogue/build.hpp"
 
 namespace rasterdiff::families {
@@ -99,6 +101,22 @@ void addClip(Entries& entries) {
   });
   family.add("one-ulp-outside", "a vertex one ulp beyond the plane: cut or not, the picture is the same", rules, [] {
     return clipped({{-1.0000001f, -0.75f, 0.5f, 1}, {0.75f, -1.0000001f, 0.5f, 1}, {0.5f, 0.875f, 0.5f, 1}});
+  });
+  for (const float far : {1e3f, 1e6f, 1e12f, 1e30f}) {
+    family.add(fmt::format("guard-band-{:.0e}", far), "vertices this far outside, in every direction: within a guard band or beyond any", rules, [far] {
+      return clipped({{-0.75f, -0.5f, 0.5f, 1},     {far, -0.75f, 0.5f, 1},        {-0.5f, -0.625f, 0.5f, 1},
+                      {0.75f, 0.5f, 0.5f, 1},       {-far, 0.625f, 0.5f, 1},       {0.5f, 0.4375f, 0.5f, 1},
+                      {0.125f, 0.8125f, 0.5f, 1},   {0.25f, far, 0.5f, 1},         {-0.125f, 0.75f, 0.5f, 1},
+                      {-0.25f, -0.25f, 0.5f, 1},    {-far, -far, 0.5f, 1},         {-0.375f, -0.25f, 0.5f, 1},
+                      {0.25f, 0.125f, 0.5f, 1},     {far, -far * 0.5f, 0.5f, 1},   {far, -far * 0.4375f, 0.5f, 1},
+                      {-far, far * 0.75f, 0.5f, 1}, {far, -far * 0.5f, 0.5f, 1},   {0.0625f, 0, 0.5f, 1},
+                      {-far, -far, 0.5f, 1},        {far * 0.5f, -far, 0.5f, far}, {-far, far, 0.5f, far * 2}});
+    });
+  }
+  family.add("guard-band-whole", "triangles that hold the whole target, however large", rules, [] {
+    std::vector<ClipPosition> v;
+    for (const float far : {4.0f, 1e3f, 1e6f, 1e12f, 1e30f}) v.insert(v.end(), {{-far, -far, 0.5f, 1}, {far * 3, -far, 0.5f, 1}, {-far, far * 3, 0.5f, 1}});
+    return clipped(v);
   });
   family.add("shared-edges-1x", "clipping a lattice opens no seam and draws nothing twice", {"R3", "R15"},
              [] { return straddlingLattice(1); });

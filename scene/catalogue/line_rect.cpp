@@ -80,6 +80,18 @@ void addLineRect(Entries& entries) {
                      {-1.5f, 0.5f, 0.5f, 1}, {-1.25f, -0.5f, 0.5f, 1}, {0.5f, 0.5f, 0.5f, 1}, {-0.25f, 0.5f, 0.5f, -1}});
     return scene;
   });
+  family.add("guard-band", "lines whose ends are up to 1e30 outside", {"R8", "R27"}, [] {
+    Scene scene = square(64);
+    useLines(scene, kRect);
+    std::vector<ClipPosition> v;
+    float y = -0.875f;
+    for (const float far : {1e3f, 1e6f, 1e12f, 1e30f}) {
+      v.insert(v.end(), {{-far, y, 0.5f, 1}, {far, y, 0.5f, 1}, {y, 0.25f, 0.5f, 1}, {y + 0.0625f, far, 0.5f, 1}, {0.25f, y, 0.5f, 1}, {far, far, 0.5f, 1}});
+      y += 0.3125f;
+    }
+    drawClip(scene, std::move(v));
+    return scene;
+  });
   family.add("clipped-values", "what is left of a clipped line has the values it would have had unclipped", {"R8", "R9", "R27"}, [] {
     Scene scene = square(64);
     useLines(scene, kRect);

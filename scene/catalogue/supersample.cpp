@@ -81,6 +81,9 @@ void addSupersample(Entries& entries) {
                [n] { return stripes(n); });
     family.add(fmt::format("zone-plate-{}", n), "ever thinner rings: false centres appear", rules, [n] { return rings(n); });
   }
+  for (const uint32_t n : {16u, 32u}) {
+    family.add(fmt::format("zone-plate-{}", n), "ever thinner rings: false centres appear", rules, [n] { return rings(n); });
+  }
   family.add("edge-3", "a slanted edge three times as large: at most ten shades", {"R14"}, [] {
     Scene scene = square(32);
     scene.target.supersample = 3;

@@ -20,6 +20,7 @@ void incrementalFixed(Triangles triangles, CoverageMask& mask);
 void edgeWalking(Triangles triangles, CoverageMask& mask);
 void blockParallel(Triangles triangles, CoverageMask& mask);
 void hierarchical(Triangles triangles, CoverageMask& mask);
+void blockHierarchy(Triangles triangles, CoverageMask& mask);
 
 /// Pixels [x0, x1) × [y0, y1) that a triangle may touch, inside the target.
 struct Box {
