@@ -160,6 +160,21 @@ void addTriangles(Family& family) {
     scene.viewport = {-80, -100, 128, 128, 0, 1};
     return scene;
   });
+  family.add("alpha-of-samples", "alpha to coverage of samples that are shaded one by one: each has its own alpha, of 1 and more or less than 0",
+             {"R19", "R41"}, [] {
+               Scene scene = pixel(TRIANGLE_LIST, {{-1, -1, 0, 1}, {3, -1, 0, 1}, {-1, 3, 0, 1}}, 4);
+               scene.state.alphaToCoverageEnable = true;
+               scene.draws[0].varyings = {
+                   {.name = "sample", .interpolation = Interpolation::sample, .components = 4, .values = {0, 0, 0, -4, 0, 0, 0, -4, 0, 0, 0, 28}}};
+               return scene;
+             });
+  family.add("values-without-area", "a triangle that has an area only once its corners are snapped: a constant stays one", {"R14", "R21"}, [] {
+    Scene scene = target(29, 14, 4);
+    drawClip(scene, {{0.39864865f, 0.2548564f, 0, 1}, {0.5236486f, -0.2779772f, 0, 1}, {0.6486486f, -0.8108108f, 0, 1}});
+    scene.viewport = {0, 0, 37, 37, 0, 1};
+    scene.draws[0].varyings = {one("smooth", Interpolation::smooth, {0, 0, 0})};
+    return scene;
+  });
   family.add("bias-of-largest-depth", "the unit of a float bias comes from the largest depth, whichever vertex has it", {"R36"}, [] {
     return biased(pixel(TRIANGLE_LIST, {{-1, -1, 0.3f, 1}, {1, -1, 0.15f, 1}, {1, 1, 0.15f, 1}}), -70000, 0);
   });
