@@ -7,6 +7,7 @@
 
 #include "harness/report/markup.hpp"
 #include "harness/report/numbers.hpp"
+#include "harness/report/rule_survey.hpp"
 #include "rasterizer/freedoms.hpp"
 #include "rasterizer/rule_counts.hpp"
 #include "report_css.hpp"
@@ -124,21 +125,33 @@ void writeFreedoms(Out out, const Totals& totals) {
 void writeRules(Out out, const Totals& totals) {
   fmt::format_to(out, "<div><h2>Rule coverage<small>how often each rule decided an outcome</small></h2><div class=\"scroll\"><table>"
                       "<thead><tr><th>rule</th><th>decided</th></tr></thead><tbody>\n");
-  for (const rasterizer::RuleInfo& rule : rasterizer::countedRules()) {
+  const auto counted = rasterizer::countedRules();
+  std::vector<rasterizer::RuleInfo> rules(counted.begin(), counted.end());
+  std::ranges::stable_sort(rules, {}, [](const rasterizer::RuleInfo& rule) { return ruleNumber(rule.id); });
+  for (const rasterizer::RuleInfo& rule : rules) {
     const auto found = totals.ruleCoverage.find(std::string(rule.id));
     const uint64_t decided = found == totals.ruleCoverage.end() ? 0 : found->second;
-    fmt::format_to(out, "<tr><td>{} {} <code class=\"soft\">{}</code></td><td class=\"{}\">{}</td></tr>\n", escaped(rule.id),
+    fmt::format_to(out, "<tr><td class=\"text\">{} {} <code class=\"soft\">{}</code></td><td class=\"{}\">{}</td></tr>\n", escaped(rule.id),
                    escaped(rule.name), escaped(rule.anchor), decided == 0 ? "zero" : "", grouped(decided));
   }
   fmt::format_to(out, "</tbody></table></div></div>\n");
 }
 
-void writeScenes(Out out, const Report& report) {
-  fmt::format_to(out, "<h2>Scenes<small>what failed comes first and is open</small></h2>\n");
+/// The failed scenes, or all others.
+void writeScenes(Out out, const Report& report, bool failed) {
+  for (const SceneEntry* entry : worstFirst(report)) {
+    if (hasFailed(*entry) == failed) fmt::format_to(out, "{}", htmlScene(report, *entry));
+  }
+}
+
+void writeFailures(Out out, const Report& report) {
+  const auto failures = std::ranges::count_if(report.scenes, hasFailed);
+  if (failures == 0 && report.stopped.empty()) return;
+  fmt::format_to(out, "<h2>What failed<small>{}, the worst first</small></h2>\n", counted(static_cast<uint64_t>(failures), "scene"));
   if (!report.stopped.empty()) {
     fmt::format_to(out, "<p><b>Stopped: {}; {} not run.</b></p>\n", escaped(report.stopped), counted(report.notRun, "scene"));
   }
-  for (const SceneEntry* entry : worstFirst(report)) fmt::format_to(out, "{}", htmlScene(report, *entry));
+  writeScenes(out, report, true);
 }
 
 }  // namespace
@@ -155,12 +168,14 @@ std::string htmlReport(const Report& report) {
   writeHeader(out, report);
   if (const SceneEntry* hero = heroOf(report)) writeHero(out, *hero);
   writeTiles(out, report, totals);
+  writeFailures(out, report);
   writeFamilies(out, report, totals);
   fmt::format_to(out, "<div class=\"columns\">\n");
   writeRules(out, totals);
   writeFreedoms(out, totals);
   fmt::format_to(out, "</div>\n");
-  writeScenes(out, report);
+  fmt::format_to(out, "<h2>{}</h2>\n", std::ranges::any_of(report.scenes, hasFailed) ? "The other scenes" : "Scenes");
+  writeScenes(out, report, false);
   fmt::format_to(out, "<footer>{}</footer>\n</main></body></html>\n", escaped(verdictLine(report)));
   return text;
 }

@@ -18,10 +18,6 @@ constexpr uint32_t kPixelsShowBelow = 300;  // smaller pictures are enlarged: th
 
 using Out = std::back_insert_iterator<std::string>;
 
-bool failed(const SceneEntry& entry) {
-  return entry.error || !entry.validationMessages.empty() || isUnexpected(entry.result);
-}
-
 std::string baselineChip(const SceneResult& result) {
   if (result.baseline == BaselineStatus::None) return {};
   return fmt::format(" <span class=\"chip Skipped\">{}</span>",
@@ -137,7 +133,7 @@ void writeValues(Out out, const SceneResult& result) {
 void writePlaces(Out out, const SceneResult& result) {
   if (result.differences.empty()) return;
   fmt::format_to(out, "<h3>Samples that are not the same: the first {} of {}</h3><div class=\"scroll\"><table><thead><tr>"
-                      "<th>pixel</th><th>sample</th><th>verdict</th><th>expected</th><th>got</th><th>drawn</th><th>reason</th>"
+                      "<th>pixel</th><th>sample</th><th>verdict</th><th>expected</th><th>got</th><th>drawn</th><th class=\"text\">reason</th>"
                       "</tr></thead><tbody>\n",
                  std::min(kShownPlaces, result.differences.size()), grouped(result.allowed + result.differing));
   for (size_t i = 0; i < std::min(kShownPlaces, result.differences.size()); ++i) {
@@ -162,7 +158,7 @@ std::string htmlScene(const Report& report, const SceneEntry& entry) {
   const SceneResult& result = entry.result;
   std::string text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "<details class=\"scene\"{}>", failed(entry) ? " open" : "");
+  fmt::format_to(out, "<details class=\"scene\"{}>", hasFailed(entry) ? " open" : "");
   writeHead(out, entry);
   fmt::format_to(out, "<div class=\"body\">\n");
   if (entry.error) {

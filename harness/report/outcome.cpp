@@ -28,6 +28,10 @@ int urgency(const SceneEntry& entry) {
 
 }  // namespace
 
+bool hasFailed(const SceneEntry& entry) {
+  return entry.error || !entry.validationMessages.empty() || isUnexpected(entry.result);
+}
+
 int exitStatus(const Report& report) {
   const Totals totals = totalsOf(report.scenes);
   if (totals.crashed + totals.timedOut > 0 || report.notRun > 0) return 4;

@@ -104,6 +104,9 @@ void addBatch(SceneEntry& sum, SceneEntry batch);
 /// expects to differ or does not, Skipped, Allowed, Same.
 [[nodiscard]] std::vector<const SceneEntry*> worstFirst(const Report& report);
 
+/// The entry makes the run fail: an error, a difference or a crash that nobody expects, a stale baseline entry, a validation message.
+[[nodiscard]] bool hasFailed(const SceneEntry& entry);
+
 /// "Same", "Differs", …, or "Error" for an entry without a verdict.
 [[nodiscard]] std::string_view verdictName(const SceneEntry& entry);
 
