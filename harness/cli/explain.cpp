@@ -9,9 +9,11 @@
 #include "harness/cli/run.hpp"
 #include "harness/cli/selection.hpp"
 #include "harness/compare/compare.hpp"
+#include "harness/report/close_up.hpp"
 #include "harness/report/explanation.hpp"
 #include "harness/report/explanation_parts.hpp"
 #include "harness/report/numbers.hpp"
+#include "harness/report/output.hpp"
 
 namespace rasterdiff::harness::cli {
 namespace {
@@ -62,6 +64,18 @@ Result<Explanation> explainWith(const Scene& scene, const rasterizer::Rules& rul
   return Explanation{options.scene, scene, rules, query, std::move(*sample), std::move(*reference), std::move(driver)};
 }
 
+Result<void> drawNeighbourhood(const Explanation& e, const ExplainOptions& options) {
+  if (options.svg.empty()) return {};
+  const Frame& actual = e.driver ? e.driver->frame : e.reference;
+  SceneResult result;
+  if (e.driver) {
+    Result<SceneResult> whole = compare(e.scene, e.rules, e.reference, actual);
+    if (!whole) return tl::unexpected(whole.error());
+    result = std::move(*whole);
+  }
+  return writeFile(options.svg, closeUp(e.scene, e.rules, e.reference, actual, result, e.query) + "\n");
+}
+
 /// In the driver's process: '1' if the sample differs, '0' if not, then the text.
 Result<std::string> askDriver(const Scene& scene, const ExplainOptions& options) {
   Result<std::unique_ptr<Subject>> subject = openSubject(subjectOptions(options.choice));
@@ -73,6 +87,7 @@ Result<std::string> askDriver(const Scene& scene, const ExplainOptions& options)
   const Result<Explanation> explanation =
       explainWith(scene, *rules, options, DriverAnswer{subjectLine(**subject), std::move(*frame), {}, {}});
   if (!explanation) return tl::unexpected(explanation.error());
+  if (const Result<void> drawn = drawNeighbourhood(*explanation, options); !drawn) return tl::unexpected(drawn.error());
   const bool differs = explanation->driver->verdict.verdict == Verdict::Differs;
   return (differs ? '1' : '0') + explanationText(*explanation);
 }
@@ -82,6 +97,7 @@ int explainAlone(const Scene& scene, const ExplainOptions& options) {
   if (!rules) return complain(rules.error(), "rasterdiff explain --help");
   const Result<Explanation> explanation = explainWith(scene, *rules, options, std::nullopt);
   if (!explanation) return complain(explanation.error(), nextCommand(explanation.error(), "explain"));
+  if (const Result<void> drawn = drawNeighbourhood(*explanation, options); !drawn) return complain(drawn.error(), "rasterdiff explain --help");
   fmt::print("{}", explanationText(*explanation));
   return 0;
 }

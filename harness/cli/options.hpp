@@ -36,6 +36,7 @@ struct RenderOptions {
 struct ExplainOptions {
   std::string scene;
   uint32_t x = 0, y = 0, sample = 0;
+  std::string svg;  ///< path of the drawing; empty: none
   DriverChoice choice;
 };
 

@@ -45,6 +45,7 @@ Examples:
 constexpr const char* kExplainExamples = R"(Examples:
   rasterdiff explain fill/shared-diagonal 12 12
   rasterdiff explain my.scene.json 3 4 --sample 2 --driver swiftshader
+  rasterdiff explain fill/shared-diagonal 12 12 --svg near.svg    a drawing of edges, vertices and samples around it
   rasterdiff explain fill/shared-diagonal 12 12 --driver none     the reference alone)";
 
 constexpr const char* kDevicesExamples = R"(Examples:
@@ -140,6 +141,7 @@ void addExplain(CLI::App& app, ExplainOptions& options) {
   verb->add_option("X", options.x, "Pixel column, 0 = left")->required();
   verb->add_option("Y", options.y, "Pixel row, 0 = top")->required();
   verb->add_option("--sample", options.sample, "Sample of the pixel")->capture_default_str();
+  verb->add_option("--svg", options.svg, "Draw the pixels around it: edges, vertices, samples");
   addDriverOptions(*verb, options.choice, ", none");
 }
 

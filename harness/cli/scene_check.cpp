@@ -7,6 +7,7 @@
 #include "harness/cli/pool.hpp"
 #include "harness/compare/compare.hpp"
 #include "harness/compare/placement/placement.hpp"
+#include "harness/report/close_up.hpp"
 #include "harness/report/npy.hpp"
 #include "harness/report/picture.hpp"
 #include "rasterizer/render.hpp"
@@ -44,7 +45,7 @@ Result<void> dump(const std::filesystem::path& root, const Job& job, const Frame
   return {};
 }
 
-Result<Pictures> picturesOf(const Frame& reference, const Frame& actual, const SceneResult& result) {
+Result<Pictures> picturesOf(const Scene& scene, const rasterizer::Rules& rules, const Frame& reference, const Frame& actual, const SceneResult& result) {
   const Image left = shrunk(glanceImage(reference), kWidestPicture, Shrink::Average);
   const Image right = shrunk(glanceImage(actual), kWidestPicture, Shrink::Average);
   const Image difference = shrunk(differenceImage(reference, actual, result), kWidestPicture, Shrink::Worst);
@@ -58,6 +59,7 @@ Result<Pictures> picturesOf(const Frame& reference, const Frame& actual, const S
     if (!png) return tl::unexpected(png.error());
     *file = std::move(*png);
   }
+  if (const auto focus = focusOf(result)) pictures.closeUp = closeUp(scene, rules, reference, actual, result, *focus);
   return pictures;
 }
 
@@ -134,7 +136,7 @@ Result<void> drawAndCompare(SceneEntry& entry, const Job& job, Subject& subject,
     if (Result<void> dumped = dump(*settings.dump, job, *reference, *actual); !dumped) return dumped;
   }
   if (!settings.pictures) return {};
-  Result<Pictures> pictures = picturesOf(*reference, *actual, entry.result);
+  Result<Pictures> pictures = picturesOf(*scene, rules, *reference, *actual, entry.result);
   if (!pictures) return tl::unexpected(pictures.error());
   entry.pictures = std::move(*pictures);
   return {};

@@ -1,16 +1,12 @@
 // Where two frames differ, as a picture, and pictures made small without losing a single differing sample.
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
 
 #include "harness/report/picture.hpp"
+#include "harness/report/sample_mark.hpp"
 
 namespace rasterdiff::harness {
 namespace {
-
-/// From harmless to wrong; the order is the rank when several samples share a pixel.
-enum class Mark : uint8_t { Empty, Same, ValueClose, ValueHalfway, ValueFar, Allowed, Differs };
 
 using Rgba = std::array<uint8_t, 4>;
 constexpr std::array<Rgba, 7> kColours{{{0, 0, 0, 0},
@@ -21,71 +17,7 @@ constexpr std::array<Rgba, 7> kColours{{{0, 0, 0, 0},
                                         {245, 197, 24, 255},
                                         {226, 32, 48, 255}}};
 
-/// How far inside its legal interval a value lies: an error below a tenth, below a half, up to the whole of the way.
-Mark markOfValue(float expected, float actual, const Bounds& bounds) {
-  if (!(actual >= bounds.lo && actual <= bounds.hi)) return Mark::Differs;
-  const double room = actual > expected ? double{bounds.hi} - expected : double{expected} - bounds.lo;
-  const double share = room > 0 ? std::abs(double{actual} - expected) / room : 0;
-  return share < 0.1 ? Mark::ValueClose : share < 0.5 ? Mark::ValueHalfway : Mark::ValueFar;
-}
-
-/// Same bits, else by the bounds. Planes without bounds allow nothing but the same bits.
-Mark markOfValues(const Plane<float>& expected, const std::optional<Plane<Bounds>>& bounds, const Plane<float>& actual,
-                  size_t sample) {
-  Mark mark = Mark::Same;
-  for (uint32_t c = 0; c < expected.components; ++c) {
-    const size_t at = sample * expected.components + c;
-    if (std::bit_cast<uint32_t>(expected.data[at]) == std::bit_cast<uint32_t>(actual.data[at])) continue;
-    if (!bounds) return Mark::Differs;
-    mark = std::max(mark, markOfValue(expected.data[at], actual.data[at], bounds->data[at]));
-  }
-  return mark;
-}
-
-class Marker {
- public:
-  Marker(const Frame& reference, const Frame& actual, const SceneResult& result)
-      : reference_(reference), actual_(actual), onlyAllowed_(result.differing == 0), onlyDiffers_(result.allowed == 0) {}
-
-  /// Of the values that samples were resolved to; resolved planes have one sample a pixel.
-  [[nodiscard]] Mark markOfResolved(size_t pixel) const {
-    Mark mark = Mark::Empty;
-    const size_t planes = std::min(reference_.resolved.size(), actual_.resolved.size());
-    for (size_t v = 0; v < planes; ++v) {
-      const VaryingPlane& expected = reference_.resolved[v];
-      const Mark value = markOfValues(expected.values, expected.bounds, actual_.resolved[v].values, pixel);
-      if (value != Mark::Same) mark = std::max(mark, value);
-    }
-    return mark;
-  }
-
-  [[nodiscard]] Mark markOf(size_t sample) const {
-    if (reference_.primitive.data[sample] != actual_.primitive.data[sample] ||
-        reference_.count.data[sample] != actual_.count.data[sample]) {
-      if (onlyAllowed_) return Mark::Allowed;
-      if (onlyDiffers_ || !reference_.coverage) return Mark::Differs;
-      return reference_.coverage->data[sample] == Coverage::Either ? Mark::Allowed : Mark::Differs;
-    }
-    if (reference_.primitive.data[sample] == 0) return Mark::Empty;
-    Mark mark = Mark::Same;
-    if (reference_.depth && actual_.depth) {
-      mark = markOfValues(*reference_.depth, reference_.depthBounds, *actual_.depth, sample);
-    }
-    const size_t varyings = std::min(reference_.varyings.size(), actual_.varyings.size());
-    for (size_t v = 0; v < varyings; ++v) {
-      const VaryingPlane& expected = reference_.varyings[v];
-      mark = std::max(mark, markOfValues(expected.values, expected.bounds, actual_.varyings[v].values, sample));
-    }
-    return mark;
-  }
-
- private:
-  const Frame& reference_;
-  const Frame& actual_;
-  bool onlyAllowed_, onlyDiffers_;  ///< the scene's coverage counts leave one answer for every sample
-};
-
-void put(Image& image, size_t pixel, Mark mark) {
+void put(Image& image, size_t pixel, SampleMark mark) {
   const Rgba& colour = kColours[static_cast<size_t>(mark)];
   std::copy(colour.begin(), colour.end(), image.rgba.begin() + static_cast<std::ptrdiff_t>(pixel * 4));
 }
@@ -126,16 +58,16 @@ Rgba worstOf(const Image& image, uint32_t x0, uint32_t x1, uint32_t y0, uint32_t
 
 Image differenceImage(const Frame& reference, const Frame& actual, const SceneResult& result) {
   Image image{reference.width, reference.height, std::vector<uint8_t>(size_t{reference.width} * reference.height * 4)};
-  const Marker marker(reference, actual, result);
+  const SampleMarker marker(reference, actual, result);
   const size_t pixels = size_t{reference.width} * reference.height;
   for (size_t pixel = 0; pixel < pixels; ++pixel) {
-    Mark mark = marker.markOfResolved(pixel);
+    SampleMark mark = marker.markOfResolved(pixel);
     for (uint32_t s = 0; s < reference.samples; ++s) mark = std::max(mark, marker.markOf(pixel * reference.samples + s));
     put(image, pixel, mark);
   }
   for (const SampleDifference& difference : result.differences) {
     if (difference.verdict != Verdict::Differs) continue;
-    put(image, size_t{difference.y} * reference.width + difference.x, Mark::Differs);
+    put(image, size_t{difference.y} * reference.width + difference.x, SampleMark::Differs);
   }
   return image;
 }

@@ -74,6 +74,13 @@ void writePictures(Out out, const SceneEntry& entry) {
          "<span class=\"key\" style=\"background:#ba8014\"></span>value allowed"
          "<span class=\"key\" style=\"background:#80848c\"></span>same",
          "difference");
+  if (!pictures.closeUp.empty()) {
+    fmt::format_to(out,
+                   "<figure>{}<figcaption>From near: snapped vertices and edges; filled samples are the driver's"
+                   "<span class=\"key\" style=\"background:#e22030\"></span>differs"
+                   "<span class=\"key\" style=\"background:#f0b010\"></span>allowed</figcaption></figure>\n",
+                   pictures.closeUp);
+  }
   fmt::format_to(out, "</div>\n");
 }
 

@@ -1,5 +1,7 @@
 #include "harness/report/picture.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -95,6 +97,11 @@ bool isColour(const VaryingPlane& v) {
 }
 
 }  // namespace
+
+std::string primitiveColourText(uint32_t primitive) {
+  const Rgb colour = primitiveColour(primitive);
+  return fmt::format("#{:02x}{:02x}{:02x}", byteOf(colour.r), byteOf(colour.g), byteOf(colour.b));
+}
 
 Image primitiveImage(const Frame& frame) {
   return resolved(frame, [&](size_t sample) { return primitiveColour(frame.primitive.data[sample]); });

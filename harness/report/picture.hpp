@@ -20,6 +20,8 @@ struct Image {
 
 /// A flat colour per primitive; the index alone decides it.
 [[nodiscard]] Image primitiveImage(const Frame& frame);
+/// That colour as "#rrggbb".
+[[nodiscard]] std::string primitiveColourText(uint32_t primitive);
 /// Overdraw as heat: 1 dark violet … 8 and more white.
 [[nodiscard]] Image overdrawImage(const Frame& frame);
 /// Depth as grey, near = bright, stretched over the depths that were drawn. The frame must have depth.

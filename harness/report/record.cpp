@@ -172,7 +172,7 @@ std::string recordOf(const SceneEntry& entry) {
   if (entry.error) json["error"] = jsonOf(*entry.error);
   const Pictures& pictures = entry.pictures;
   json["pictures"] = {{"reference", toBase64(pictures.reference)}, {"driver", toBase64(pictures.driver)},
-                      {"difference", toBase64(pictures.difference)}, {"thumbnail", toBase64(pictures.thumbnail)},
+                      {"difference", toBase64(pictures.difference)}, {"thumbnail", toBase64(pictures.thumbnail)}, {"closeUp", pictures.closeUp},
                       {"width", pictures.width}, {"height", pictures.height}};
   return textOf(json, -1);
 }
@@ -208,8 +208,8 @@ Result<SceneEntry> readSceneRecord(std::string_view text) {
     if (json.contains("error")) entry.error = errorIn(json.at("error"));
     const Json& pictures = json.at("pictures");
     const auto file = [&](const char* name) { return fromBase64(pictures.at(name).get<std::string>()); };
-    entry.pictures = {file("reference"), file("driver"),       file("difference"),
-                      file("thumbnail"), pictures.at("width"), pictures.at("height")};
+    entry.pictures = {file("reference"), file("driver"),          file("difference"),     file("thumbnail"),
+                      pictures.at("closeUp"), pictures.at("width"), pictures.at("height")};
     return entry;
   });
 }

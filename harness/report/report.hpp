@@ -31,6 +31,7 @@ struct RunSubject {
 struct Pictures {
   std::string reference, driver, difference;
   std::string thumbnail;
+  std::string closeUp;             ///< SVG text; empty where nothing differs
   uint32_t width = 0, height = 0;  ///< of the first three, pixels
 };
 

@@ -58,7 +58,7 @@ TEST(Record, ASceneComesBackAsItWasSent) {
   depth.maxUlp = std::numeric_limits<double>::infinity();
   depth.worst = ValueStats::Worst{1, 2, 3, 0, 0.1F, nan, -infinity, infinity};
   sent.result.values = {depth};
-  sent.pictures = {std::string("\x89PNG\0x", 6), "b", "c", "d", 5, 6};
+  sent.pictures = {std::string("\x89PNG\0x", 6), "b", "c", "d", "<svg/>", 5, 6};
   sent.validationMessages = {"a \"quoted\" message"};
   const Result<SceneEntry> read = readSceneRecord(recordOf(sent));
   ASSERT_TRUE(read) << read.error().what;
