@@ -82,6 +82,13 @@ void addLineBresenham(Entries& entries) {
       "end-at-099", "ends at (0.99, 0.5) and (0.99, 0.49)", rules,
       [] { return lines(16, {{2.5, 2.5}, {5.99, 2.5}, {2.5, 6.5}, {5.99, 6.49}, {5.5, 9.01}, {5.5, 12.99}}); },
       issue("KhronosGroup/MoltenVK", 2556));
+  family.add("depth-slanted", "depth runs along slanted lines as their values do", {"R22", "R29"}, [] {
+    Scene scene = square(32);
+    useLines(scene, LineRasterizationMode::BRESENHAM);
+    draw(scene, {{3.25, 4.5, 0.25}, {27.5, 17.75, 0.75}, {8.5, 28.25, 0.75}, {4.25, 8.5, 0.125}});
+    useDepth(scene);
+    return scene;
+  });
   family.add("values", "values run along the line", {"R21", "R29"}, [] {
     Scene scene = lines(32, {{3.5, 3.5, 0.25, 1}, {28.5, 11.5, 0.75, 4}, {5.5, 28.5, 0.5, 2}, {9.5, 6.5, 0.5, 0.5}});
     addVarying(scene, "smooth", Interpolation::smooth, 2);
