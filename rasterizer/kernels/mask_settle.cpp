@@ -2,7 +2,6 @@
 // span kernel.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rasterizer/kernels/mask_settle.cpp"
-#define HWY_DISABLED_TARGETS HWY_SSSE3
 #include "hwy/foreach_target.h"
 // After foreach_target.h:
 #include "hwy/highway.h"

@@ -1,7 +1,6 @@
 // The exact coverage kernel: batches of triangles through set-up and blocks, once for each instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rasterizer/kernels/span_kernel.cpp"
-#define HWY_DISABLED_TARGETS HWY_SSSE3
 #include "hwy/foreach_target.h"
 // After foreach_target.h:
 #include <algorithm>

@@ -2,7 +2,6 @@
 // threads. Varyings are value_shading.cpp's.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rasterizer/kernels/value_kernel.cpp"
-#define HWY_DISABLED_TARGETS HWY_SSSE3
 #include "hwy/foreach_target.h"
 // After foreach_target.h:
 #include <algorithm>

@@ -2,7 +2,6 @@
 // Where the weights come from and how exact values are: value_weights-inl.h.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rasterizer/kernels/value_shading.cpp"
-#define HWY_DISABLED_TARGETS HWY_SSSE3
 #include "hwy/foreach_target.h"
 // After foreach_target.h:
 #include <algorithm>

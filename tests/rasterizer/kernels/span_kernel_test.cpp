@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <utility>
 #include <vector>
 
-#include <hwy/targets.h>
-
+#include "every_target.hpp"
 #include "kernel_families.hpp"
+#include "modular.hpp"
 #include "rasterizer/kernels/coverage_mask.hpp"
 #include "rasterizer/kernels/coverage_oracle.hpp"
 #include "rasterizer/kernels/integer_spans.hpp"
@@ -16,16 +15,8 @@
 namespace rasterdiff::rasterizer {
 namespace {
 
-/// Runs `test` once for each instruction set that was built and is here.
-template <class F>
-void onEveryTarget(const F& test) {
-  for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    SCOPED_TRACE(hwy::TargetName(target));
-    hwy::SetSupportedTargetsForTest(target);
-    test();
-  }
-  hwy::SetSupportedTargetsForTest(0);
-}
+using testing::inverseModulo;
+using testing::onEveryTarget;
 
 CoverageMask oracle(std::span<const SnappedTriangle> triangles, uint32_t width, uint32_t height, uint32_t samples) {
   auto mask = *CoverageMask::create(width, height, samples);
@@ -91,16 +82,6 @@ TEST(SpanKernel, DrawingNothingCoversNothing) {
   auto mask = *CoverageMask::create(8, 8, 4);
   drawCoverage({}, mask, 0);
   EXPECT_EQ(mask.count(), 0u);
-}
-
-int64_t inverseModulo(int64_t a, int64_t m) {
-  int64_t r0 = m, r1 = ((a % m) + m) % m, s0 = 0, s1 = 1;
-  while (r1 != 0) {
-    const int64_t q = r0 / r1;
-    r0 = std::exchange(r1, r0 - q * r1);
-    s0 = std::exchange(s1, s0 - q * s1);
-  }
-  return r0 == 1 ? ((s0 % m) + m) % m : 0;
 }
 
 /// What a sample sees of the long edge of its triangle.

@@ -7,22 +7,13 @@
 
 #include <hwy/targets.h>
 
+#include "modular.hpp"
 #include "rasterizer/kernels/coverage_mask.hpp"
 #include "rasterizer/kernels/integer_spans.hpp"
 #include "scene/generators/prng.hpp"
 
 namespace rasterdiff::rasterizer {
 namespace {
-
-int64_t inverseModulo(int64_t a, int64_t m) {
-  int64_t r0 = m, r1 = ((a % m) + m) % m, s0 = 0, s1 = 1;
-  while (r1 != 0) {
-    const int64_t q = r0 / r1;
-    r0 = std::exchange(r1, r0 - q * r1);
-    s0 = std::exchange(s1, s0 - q * s1);
-  }
-  return r0 == 1 ? ((s0 % m) + m) % m : 0;
-}
 
 struct Narrow {
   int32_t side;          ///< of the target, pixels
@@ -36,7 +27,7 @@ std::pair<SnappedTriangle, bool> nearMiss(Prng& random, const Narrow& narrow) {
   while (true) {
     const int64_t dy = random.between(narrow.least, narrow.most);
     const int64_t dx = random.between(-narrow.slope, narrow.slope) * dy / 16 + random.between(-2000, 2000);
-    const int64_t inverse = inverseModulo(dx, dy), k = random.between(-2, 2);
+    const int64_t inverse = testing::inverseModulo(dx, dy), k = random.between(-2, 2);
     if (inverse == 0) continue;
     const int64_t down = (((inverse * k) % dy) + dy) % dy;  // from the top vertex to the sample: (down · dx) mod dy = k
     const int64_t ya = 256 * int64_t{random.below(static_cast<uint32_t>(narrow.side))} + 128 - down;

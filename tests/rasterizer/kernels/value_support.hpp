@@ -5,8 +5,7 @@
 
 #include <vector>
 
-#include <hwy/targets.h>
-
+#include "every_target.hpp"
 #include "kernel_families.hpp"
 #include "rasterizer/kernels/value_target.hpp"
 
@@ -32,17 +31,6 @@ inline ValueLoad makeLoad(std::vector<SnappedTriangle> positions, std::vector<Va
     for (size_t c = 0; c < load.kinds.size(); ++c) load.values.push_back(static_cast<float>(random.between(-1.0, 1.0)));
   }
   return load;
-}
-
-/// Runs `test` once for each instruction set that was built and is here.
-template <class F>
-void onEveryTarget(const F& test) {
-  for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    SCOPED_TRACE(hwy::TargetName(target));
-    hwy::SetSupportedTargetsForTest(target);
-    test();
-  }
-  hwy::SetSupportedTargetsForTest(0);
 }
 
 }  // namespace rasterdiff::rasterizer::testing
