@@ -216,7 +216,7 @@ HWY_INLINE void AddEnds(NarrowOnes& ones, V start, V top, V middle, V bottom, M 
       return size;
     };
     add(part.block, ends.block), add(part.a, ends.a), add(part.x, ends.x), add(rows, ends.rows);
-    ends.size = add(hn::Iota(du, 0) + hn::Set(du, above ? 0 : kLanes), ends.run);
+    ends.size = add(NumbersFrom(du, above ? 0 : kLanes), ends.run);
   }
 }
 
@@ -233,7 +233,7 @@ HWY_INLINE void AddRuns(NarrowOnes& ones, V start, V top, V middle, V bottom, M 
     const V size = hn::IfThenElseZero(present, hn::Max(end - first, zero));
     hn::Store(hn::MulAdd(first, height, start), d, ones.start + below * kLanes);
     hn::Store(hn::And(Integer(size), hn::Set(du, 0xFFFF)), du, ones.size + below * kLanes);
-    Words code = hn::Iota(du, below * kLanes);
+    Words code = NumbersFrom(du, below * kLanes);
     V done = zero;
     for (M more = hn::Lt(done, size); !hn::AllFalse(d, more); more = hn::Lt(done, size)) {
       Append(code, more, ones.groups, groups);

@@ -52,7 +52,7 @@ HWY_INLINE Lines LinesOf(const Batch<kSamples>& b, size_t i) {
 template <size_t kSide, size_t kSamples>
 HWY_INLINE Ranges FindRanges(const Lines& lines, double firstBlock) {
   const D d;
-  const V row0 = hn::Iota(d, firstBlock) * hn::Set(d, 8), row7 = row0 + hn::Set(d, 7);
+  const V row0 = NumbersFrom(d, firstBlock) * hn::Set(d, 8), row7 = row0 + hn::Set(d, 7);
   const V first = hn::Set(d, lines.top), last = hn::Set(d, lines.bottom - 1);
   const V r0 = hn::Min(hn::Max(row0, first), last), r1 = hn::Min(row7, last);
   V low[3], high[3], fullLow[3], fullHigh[3];

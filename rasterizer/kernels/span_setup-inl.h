@@ -52,6 +52,13 @@ using V = hn::Vec<D>;
 using M = hn::Mask<D>;
 inline constexpr size_t kLanes = hn::MaxLanes(D());
 
+/// Consecutive numbers from `first` on. Highway's Iota with a number that no compiler knows is stored in parts and loaded as a
+/// whole, and waits for that.
+template <class T>
+HWY_INLINE hn::Vec<T> NumbersFrom(T d, hn::TFromD<T> first) {
+  return hn::Iota(d, 0) + hn::Set(d, first);
+}
+
 inline constexpr double kFastRange = 4194304;  // 2^22, in 1/256 pixel
 inline constexpr double kSteep = 1048576;      // slope of the line that stands for a horizontal edge: ±kSteep/2 is off every target
 

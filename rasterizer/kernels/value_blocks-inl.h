@@ -97,7 +97,7 @@ HWY_INLINE Extent FindRows(const ValueBatch& b, size_t i, size_t s, double y, si
   const V infinity = hn::Set(d, std::numeric_limits<double>::infinity());
   V least = infinity, most = hn::Neg(infinity);
   for (size_t row = 0; row < kBlock; row += kLanes) {
-    const V r = hn::Iota(d, y + static_cast<double>(row));
+    const V r = NumbersFrom(d, y + static_cast<double>(row));
     V begin, end;
     RowBounds(b, i, s, r, begin, end);
     const M inside = hn::And(hn::Lt(begin, end), hn::And(hn::Ge(r, hn::Set(d, b.firstRow[i])), hn::Lt(r, hn::Set(d, b.endRow[i]))));
@@ -149,7 +149,7 @@ HWY_INLINE void DrawSeen(const ValueView& target, const DepthPlane& plane, size_
     alignas(64) double start[kBlock];
     alignas(64) uint64_t bits[kBlock];
     for (size_t row = 0; row < kBlock; row += kLanes) {
-      const V left = hn::Set(d, x), r = hn::Iota(d, y + static_cast<double>(row)) + hn::Set(d, plane.fromY);
+      const V left = hn::Set(d, x), r = NumbersFrom(d, y + static_cast<double>(row)) + hn::Set(d, plane.fromY);
       hn::Store(BitsBetween(hn::Load(d, seen.begin[k] + row) - left, hn::Load(d, seen.end[k] + row) - left), du, bits + row);
       hn::Store((hn::Set(d, plane.a0) + hn::Set(d, plane.gy) * r) + hn::Set(d, plane.gx * (plane.fromX + x)), d, start + row);
     }
@@ -174,7 +174,7 @@ HWY_INLINE void DrawSeen(const ValueView& target, const DepthPlane& plane, size_
 
 /// Appends those of kLanes blocks that may be seen.
 HWY_INLINE void AppendSeen(const DepthPlane& plane, double row, size_t block, const Extent& extent, const float* HWY_RESTRICT far, size_t k, SeenBlocks& seen) {
-  Append(hn::Iota(DU(), block | k << 16), Seen(plane, row, plane.low, block, kBlock, extent, far), seen.codes, seen.size);
+  Append(NumbersFrom(DU(), block | k << 16), Seen(plane, row, plane.low, block, kBlock, extent, far), seen.codes, seen.size);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -142,7 +142,7 @@ HWY_INLINE void FindChunks(const ValueView& view, const ValueBatch& b, size_t i,
   const auto low40 = hn::Set(du, (uint64_t{1} << 40) - 1), place = hn::Set(du, uint64_t{i} << 48);
   const double rowElements = static_cast<double>(view.samples * view.stride);
   for (double row = b.firstRow[i]; row < b.endRow[i]; row += static_cast<double>(kLanes)) {
-    const V r = hn::Iota(d, row);
+    const V r = NumbersFrom(d, row);
     for (size_t s = 0; s < view.samples; ++s) {
       V begin, end;
       RowBounds(b, i, s, r, begin, end);
