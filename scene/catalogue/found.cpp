@@ -175,6 +175,12 @@ void addTriangles(Family& family) {
     scene.draws[0].varyings = {one("smooth", Interpolation::smooth, {0, 0, 0})};
     return scene;
   });
+  family.add("behind-eye-turned", "a triangle with a vertex behind the eye, seen almost edge-on: what of it is in view is drawn", {"R3", "R4"}, [] {
+    Scene scene = pixel(TRIANGLE_LIST, {{-0.06f, 0.786f, 4, -10.9f}, {-0.005f, -0.021f, 0.06f, 0.28f}, {0.014f, -0.167f, 3, 2.3f}});
+    scene.viewport = {-1, -1, 128, 128, 0, 1};
+    scene.state.depthClampEnable = true;
+    return scene;
+  });
   family.add("bias-of-largest-depth", "the unit of a float bias comes from the largest depth, whichever vertex has it", {"R36"}, [] {
     return biased(pixel(TRIANGLE_LIST, {{-1, -1, 0.3f, 1}, {1, -1, 0.15f, 1}, {1, 1, 0.15f, 1}}), -70000, 0);
   });
