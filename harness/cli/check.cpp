@@ -98,8 +98,25 @@ Result<void> writeOutputs(const CheckOptions& options, const Report& report) {
   return {};
 }
 
-int finish(const CheckOptions& options, const Report& report) {
+/// A baseline of another version of the driver excuses nothing: says so, what is old, and how to have one of this version.
+void printOtherVersions(const Baseline& baseline, const Report& report) {
+  const RunSubject& subject = report.subject;
+  const std::vector<std::string> versions = otherVersions(baseline, subject.name, subject.info);
+  uint64_t failed = 0, old = 0;
+  for (const SceneEntry& entry : report.scenes) {
+    if (entry.error || !isUnexpected(entry.result)) continue;
+    ++failed;
+    old += differsInSomeVersion(baseline, subject.name, subject.rules, entry.result) ? 1U : 0U;
+  }
+  if (versions.empty() || failed == 0) return;
+  fmt::print("baseline  it knows {} {}, not {}: {} of the {} failing scenes differ there in the same planes; to have this version's known:\n"
+             "          rasterdiff check --json results.json; rasterdiff bless results.json -o baseline.json --reason \"…\"; then --baseline baseline.json\n",
+             subject.name, fmt::join(versions, ", "), subject.info, old, failed);
+}
+
+int finish(const CheckOptions& options, const Baseline& baseline, const Report& report) {
   fmt::print("{}", summaryText(report));
+  printOtherVersions(baseline, report);
   if (const Result<void> written = writeOutputs(options, report); !written) {
     return complain(written.error(), "rasterdiff check --help");
   }
@@ -194,7 +211,7 @@ int runVerb(const CheckOptions& options) {
   report.notRun = outcome.notRun;
   report.workers = std::min<unsigned>(pool.workers, static_cast<unsigned>(order.size()));
   report.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return finish(options, report);
+  return finish(options, *baseline, report);
 }
 
 }  // namespace rasterdiff::harness::cli

@@ -52,10 +52,17 @@ Result<BaselineEntry> parseEntry(const Json& json, const std::string& where) {
   return entry;
 }
 
-bool matches(const BaselineEntry& entry, std::string_view driverName, std::string_view driverInfo, std::string_view rulesName,
-             const std::string& scene) {
-  return entry.driver == driverName && (entry.rules.empty() || entry.rules == rulesName) && driverInfo.starts_with(entry.version) &&
-         fnmatch(entry.scene.c_str(), scene.c_str(), 0) == 0;
+bool isAbout(const BaselineEntry& entry, std::string_view driverName, std::string_view rulesName, const std::string& scene) {
+  return entry.driver == driverName && (entry.rules.empty() || entry.rules == rulesName) && fnmatch(entry.scene.c_str(), scene.c_str(), 0) == 0;
+}
+
+// In these planes, and no others.
+bool differsAsSaid(const BaselineEntry& entry, const SceneResult& result) {
+  std::vector<std::string> expected = entry.planes, actual = differingPlanes(result);
+  std::sort(expected.begin(), expected.end());
+  std::sort(actual.begin(), actual.end());
+  const bool crashed = result.verdict == Verdict::Crashed && expected == std::vector<std::string>{"crash"};
+  return crashed || (result.verdict == Verdict::Differs && expected == actual);
 }
 
 }  // namespace
@@ -109,7 +116,7 @@ void applyBaseline(const Baseline& baseline, std::string_view driverName, std::s
   result.baselineRule.clear();
   result.baselineReason.clear();
   for (const BaselineEntry& entry : baseline.entries) {
-    if (!matches(entry, driverName, driverInfo, rulesName, result.id)) continue;
+    if (!isAbout(entry, driverName, rulesName, result.id) || !driverInfo.starts_with(entry.version)) continue;
     if (result.verdict == Verdict::Same || result.verdict == Verdict::Allowed) {
       if (result.id.starts_with(kInvariantPrefix) || result.id.starts_with("random")) return;  // a few random cases prove nothing mended
       result.baseline = BaselineStatus::Improved;
@@ -117,16 +124,28 @@ void applyBaseline(const Baseline& baseline, std::string_view driverName, std::s
       result.baselineReason = entry.reason;
       return;
     }
-    std::vector<std::string> expected = entry.planes, actual = differingPlanes(result);
-    std::sort(expected.begin(), expected.end());
-    std::sort(actual.begin(), actual.end());
-    const bool crashed = result.verdict == Verdict::Crashed && expected == std::vector<std::string>{"crash"};
-    if (!crashed && (result.verdict != Verdict::Differs || expected != actual)) continue;
+    if (!differsAsSaid(entry, result)) continue;
     result.baseline = BaselineStatus::ExpectedDiff;
     result.baselineRule = entry.rule;
     result.baselineReason = entry.reason;
     return;
   }
+}
+
+std::vector<std::string> otherVersions(const Baseline& baseline, std::string_view driverName, std::string_view driverInfo) {
+  std::vector<std::string> versions;
+  for (const BaselineEntry& entry : baseline.entries) {
+    if (entry.driver != driverName || entry.version.empty()) continue;
+    if (driverInfo.starts_with(entry.version)) return {};
+    if (std::find(versions.begin(), versions.end(), entry.version) == versions.end()) versions.push_back(entry.version);
+  }
+  return versions;
+}
+
+bool differsInSomeVersion(const Baseline& baseline, std::string_view driverName, std::string_view rulesName, const SceneResult& result) {
+  return std::any_of(baseline.entries.begin(), baseline.entries.end(), [&](const BaselineEntry& entry) {
+    return isAbout(entry, driverName, rulesName, result.id) && differsAsSaid(entry, result);
+  });
 }
 
 }  // namespace rasterdiff::harness

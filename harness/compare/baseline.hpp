@@ -41,4 +41,10 @@ struct Baseline {
 void applyBaseline(const Baseline& baseline, std::string_view driverName, std::string_view driverInfo, std::string_view rulesName,
                    SceneResult& result);
 
+/// The versions that entries of this driver name, if no such entry is of this one ("Mesa 22.3" for Mesa 25.0.7); else none.
+[[nodiscard]] std::vector<std::string> otherVersions(const Baseline& baseline, std::string_view driverName, std::string_view driverInfo);
+
+/// Does a result differ exactly as an entry says, of whatever version of the driver?
+[[nodiscard]] bool differsInSomeVersion(const Baseline& baseline, std::string_view driverName, std::string_view rulesName, const SceneResult& result);
+
 }  // namespace rasterdiff::harness

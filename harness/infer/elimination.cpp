@@ -29,7 +29,7 @@ class Run {
 
   Result<GroupOutcome> play(const std::function<void()>& finishedScene) {
     for (uint32_t round = 0; round < group_.rounds && !contradicted_; ++round) {
-      std::optional<Scene> scene = group_.propose(random_, round, contenders());
+      std::optional<Scene> scene = group_.propose(random_, round, contenders(round));
       if (!scene) continue;
       Result<Frame> frame = subject_.render(*scene);
       if (!frame && frame.error().code == ErrorCode::NotOffered) continue;
@@ -61,7 +61,7 @@ class Run {
       }
       alive_ = std::move(next);
     }
-    std::erase_if(alive_, [](const Choices& candidate) { return canonical(candidate) != candidate; });
+    std::erase_if(alive_, [this](const Choices& candidate) { return canonical(candidate, known_.limits) != candidate; });
     if (!group_.complete) return;
     for (Choices& candidate : alive_) group_.complete(candidate);
   }
@@ -74,12 +74,14 @@ class Run {
     return rival;
   }
 
-  [[nodiscard]] std::vector<Rules> contenders() const {
+  // While several are possible, three scenes of four are to tell those apart; the fourth may be about what is excluded.
+  [[nodiscard]] std::vector<Rules> contenders(uint32_t round) const {
     std::vector<Rules> result;
     for (const Choices& candidate : alive_) {
       if (result.size() == kMostContenders) return result;
       result.push_back(with(candidate));
     }
+    if (alive_.size() > 1 && round % 4 != 3) return result;
     for (const Choice choice : group_.choices) {
       for (const uint32_t answer : answersOf(choice)) {
         if (answer != rasterizer::info(choice).get(alive_.front())) result.push_back(with(changed(choice, answer)));
@@ -149,7 +151,20 @@ class Run {
 
 }  // namespace
 
-Choices canonical(Choices choices) {
+namespace {
+
+// At every sample count above one that is offered.
+bool firstSampleIsTheCentre(const rasterizer::SampleTables& tables, const Limits& limits) {
+  constexpr rasterizer::SampleTables::Offset kCentre{128, 128};
+  for (const uint32_t samples : {2U, 4U, 8U, 16U}) {
+    if ((limits.framebufferSampleCounts & samples) != 0 && tables.of(samples)[0] != kCentre) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Choices canonical(Choices choices, const Limits& limits) {
   using rasterizer::SnapRounding;
   const SnapRounding rounding = choices.snapRounding;
   const bool aroundZero = rounding == SnapRounding::TowardZero || rounding == SnapRounding::NearestAway ||
@@ -167,6 +182,10 @@ Choices canonical(Choices choices) {
   const bool ownPoints = choices.pointClip != rasterizer::PointClip::Volume && choices.pointArithmetic == rasterizer::PointArithmetic::ClipCorners;
   using rasterizer::CutOutline;
   if (choices.cutOutline == CutOutline::Uncut && !ownLines && !ownPoints) choices.cutOutline = CutOutline::Original;
+  // A fragment that is covered by all samples is covered by the first one, which is the centre.
+  using rasterizer::CentroidPosition;
+  const bool centred = choices.sampleLocations && firstSampleIsTheCentre(*choices.sampleLocations, limits);
+  if (choices.centroid == CentroidPosition::First && centred) choices.centroid = CentroidPosition::CentreOrFirst;
   if (choices.lineArithmetic != rasterizer::LineArithmetic::Exact) choices.diamondExit = rasterizer::DiamondExit::Vulkan;
   return choices;
 }

@@ -17,7 +17,7 @@
 
 namespace rasterdiff::harness {
 
-/// `contenders`: candidates that are still possible, and rivals of the first one; a scene is worth drawing if it tells
+/// `contenders`: candidates that are still possible, and (always where there is one only) rivals of the first one; a scene is worth drawing if it tells
 /// some of them apart. None: nothing to ask in this round.
 using Proposal =
     std::function<std::optional<Scene>(Prng& random, uint32_t round, std::span<const rasterizer::Rules> contenders)>;
@@ -42,7 +42,8 @@ struct GroupOutcome {
 [[nodiscard]] Result<GroupOutcome> eliminate(Subject& subject, const rasterizer::Rules& known, const Group& group,
                                              uint64_t seed, const std::function<void()>& finishedScene);
 
-/// Answers that experiments can tell apart: of several combinations that always draw the same, the first.
-[[nodiscard]] rasterizer::Choices canonical(rasterizer::Choices choices);
+/// Answers that experiments can tell apart: of several combinations that always draw the same on a device with these limits,
+/// the first.
+[[nodiscard]] rasterizer::Choices canonical(rasterizer::Choices choices, const Limits& limits);
 
 }  // namespace rasterdiff::harness

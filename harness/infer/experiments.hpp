@@ -16,8 +16,9 @@ namespace rasterdiff::harness {
 /// two grid points (`halves`) or anywhere, also at negative coordinates. Every float32 viewport transform is exact here.
 [[nodiscard]] Scene snapScene(Prng& random, uint32_t samples, bool halves, const rasterizer::Rules& rules);
 
-/// Level edges that the contenders' arithmetic puts on different sides of a sample: viewports and w of all kinds.
-[[nodiscard]] Scene viewportScene(Prng& random, uint32_t samples, std::span<const rasterizer::Rules> contenders);
+/// Edges that the contenders' arithmetic puts on different sides of a sample: viewports and w of all kinds, which hold the
+/// whole target. None if no vertex was found that two of them snap to different places.
+[[nodiscard]] std::optional<Scene> viewportScene(Prng& random, uint32_t samples, std::span<const rasterizer::Rules> contenders);
 
 /// Triangles that leave the view volume through its sides, near and far. None if all contenders draw the same.
 [[nodiscard]] std::optional<Scene> clipScene(Prng& random, uint32_t samples, std::span<const rasterizer::Rules> contenders);
@@ -34,11 +35,12 @@ namespace rasterdiff::harness {
 /// Triangles in a viewport with fractions, cut by a scissor. None as above.
 [[nodiscard]] std::optional<Scene> regionScene(Prng& random, uint32_t samples, std::span<const rasterizer::Rules> contenders);
 
-/// Points of the sizes that the device offers.
-[[nodiscard]] Scene pointScene(Prng& random, uint32_t samples, const Limits& limits);
+/// Points of sizes between those that the device offers, granular or not, below one pixel too; the sides of half of them lie
+/// within a grid step of a sample.
+[[nodiscard]] Scene pointScene(Prng& random, uint32_t samples, const rasterizer::Rules& rules);
 
 /// Points whose vertices lie outside of the view volume, a little or far.
-[[nodiscard]] Scene outerPointScene(Prng& random, uint32_t samples, const Limits& limits);
+[[nodiscard]] Scene outerPointScene(Prng& random, uint32_t samples, const rasterizer::Rules& rules);
 
 /// Lines of a mode and width that the device offers; none if it offers no such mode. `bresenham`: which mode.
 [[nodiscard]] std::optional<Scene> lineScene(Prng& random, uint32_t samples, bool bresenham, const Limits& limits);

@@ -4,6 +4,8 @@
 
 #include "harness/infer/experiments.hpp"
 #include "harness/infer/scene_sketch.hpp"
+#include "rasterizer/sample_pattern.hpp"
+#include "rasterizer/snap.hpp"
 #include "scene/generators/random_lines.hpp"
 #include "scene/generators/random_points.hpp"
 #include "scene/generators/random_triangles.hpp"
@@ -34,26 +36,46 @@ void scatter(SceneSketch& sketch, Prng& random, int count, double size) {
   }
 }
 
+// Moves half of the points so that two of their sides lie within a grid step of a sample: there every rounding shows.
+void moveSidesToSamples(Scene& scene, Prng& random, const rasterizer::Rules& rules) {
+  const std::vector<SubpixelPosition> pattern = *rasterizer::samplePattern(scene.target.samples, rules);
+  const double step = std::ldexp(1.0, -rasterizer::gridBits(rules));
+  Draw& draw = scene.draws.front();
+  for (size_t i = 0; i < draw.positions.size(); ++i) {
+    if (random.chance(50)) continue;
+    const SubpixelPosition offset = pattern[random.below(pattern.size())];
+    const double half = (random.chance(50) ? 0.5 : -0.5) * double{draw.pointSizes[i]};
+    const auto place = [&](int32_t inPixel) {
+      return random.between(8, 56) + inPixel / double{kSubpixelOne} + half + random.between(-1.0, 1.0) * step;
+    };
+    const double x = place(offset.x), y = place(offset.y);
+    draw.positions[i] = clipFromPixels(scene.viewport, {x, y, 0.5, 1});
+  }
+}
+
 }  // namespace
 
-Scene pointScene(Prng& random, uint32_t samples, const Limits& limits) {
+Scene pointScene(Prng& random, uint32_t samples, const rasterizer::Rules& rules) {
+  const Limits& limits = rules.limits;
   const float largest = std::min(limits.pointSizeMax, 9.0F);
   const float smallest = std::min(largest, std::max(1.0F, limits.pointSizeMin));
   Scene scene = randomPoints({random.bits(), 40, someGrid(random), samples, smallest, largest, kFigureExtent});
   scene.name = "infer/points";
-  if (limits.pointSizeGranularity > 0) return scene;
-  // Half sides between grid points tell corners that are snapped one by one from a snapped centre.
+  // Half sides between grid points tell corners that are snapped one by one from a snapped centre. A device that advertises a
+  // granularity may still draw what lies between.
   for (float& size : scene.draws.front().pointSizes) {
-    size = std::min(size + static_cast<float>(random.below(128)) / 1024, largest);
+    if (limits.pointSizeGranularity == 0 || random.chance(50)) size = std::min(size + static_cast<float>(random.below(128)) / 1024, largest);
+    if (random.chance(10)) size = std::max(limits.pointSizeMin, size / 16);
   }
+  moveSidesToSamples(scene, random, rules);
   return scene;
 }
 
-Scene outerPointScene(Prng& random, uint32_t samples, const Limits& limits) {
-  Scene scene = pointScene(random, samples, limits);
+Scene outerPointScene(Prng& random, uint32_t samples, const rasterizer::Rules& rules) {
+  Scene scene = pointScene(random, samples, rules);
   scene.name = "infer/outer-points";
   Draw& draw = scene.draws.front();
-  const float largest = std::min(limits.pointSizeMax, 9.0F);
+  const float largest = std::min(rules.limits.pointSizeMax, 9.0F);
   for (size_t i = 0; i < draw.positions.size(); ++i) {
     ClipPosition& p = draw.positions[i];
     const double beyond = random.chance(50) ? std::ldexp(1.0, -random.between(3, 22)) : random.between(0.02, 0.2);

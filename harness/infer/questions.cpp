@@ -51,11 +51,12 @@ Question regionQuestion(const std::vector<uint32_t>& counts) {
            }}};
 }
 
-Question pointQuestion(const std::vector<uint32_t>& counts, const Limits& limits) {
+Question pointQuestion(const std::vector<uint32_t>& counts) {
   return {"points",
-          {{Choice::PointArithmetic, Choice::PointClip}, 96, [counts, limits](Prng& random, uint32_t round, Contenders) -> std::optional<Scene> {
+          {{Choice::PointArithmetic, Choice::PointClip}, 96, [counts](Prng& random, uint32_t round, Contenders contenders) -> std::optional<Scene> {
              const uint32_t samples = inTurn(counts, round / 2);
-             return round % 2 == 0 ? pointScene(random, samples, limits) : outerPointScene(random, samples, limits);
+             const Rules& rules = contenders.front();
+             return round % 2 == 0 ? pointScene(random, samples, rules) : outerPointScene(random, samples, rules);
            }}};
 }
 
@@ -111,7 +112,7 @@ Question tieQuestion(const Limits& limits, std::vector<SampleSweep> sweeps) {
 
 std::vector<Question> furtherQuestions(const Limits& limits) {
   const std::vector<uint32_t> counts = sampleCounts(limits);
-  std::vector<Question> questions{gridQuestion(counts), clipQuestion(counts), pointQuestion(counts, limits),
+  std::vector<Question> questions{gridQuestion(counts), clipQuestion(counts), pointQuestion(counts),
                                   lineQuestion(counts, limits), outlineQuestion(counts), regionQuestion(counts), planeQuestion(), biasQuestion()};
   if (counts.back() > 1) {
     questions.push_back(centroidQuestion(counts.back()));

@@ -39,7 +39,7 @@ rasterizer::Rules syntheticRules(uint64_t seed) {
     row.set(rules.choices, firstIsNone ? 1 + random.below(answers - 1) : random.below(answers));
   }
   if (random.chance(50)) rules.choices.sampleLocations = someTables(random, rules.limits);
-  rules.choices = canonical(rules.choices);
+  rules.choices = canonical(rules.choices, rules.limits);
   rules.limits.subPixelPrecisionBits = 4 + random.below(5);
   rules.limits.lineWidthMax = 8;
   rules.limits.pointSizeMax = 64;

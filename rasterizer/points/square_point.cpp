@@ -99,8 +99,8 @@ std::unique_ptr<Shape> makePointShape(const ClipPosition& position, const Raster
     result.low = place * kSubpixelOne - half;
     result.high = place * kSubpixelOne + half;
     if (stage.rules.choices.pointArithmetic == PointArithmetic::SnappedCentre) {
-      // The centre snapped like a vertex, the side in whole subpixels and at least a pixel, its half rounded down.
-      const auto side = std::max<int64_t>(kSubpixelOne, static_cast<int64_t>(std::nearbyint(double{size.requested} * kSubpixelOne)));
+      // The centre snapped, the side in whole subpixels (halves up) and at least a pixel, its half rounded down.
+      const auto side = std::max<int64_t>(kSubpixelOne, static_cast<int64_t>(std::floor(double{size.requested} * kSubpixelOne + 0.5)));
       const int64_t low = snapFrom(stage.samples == 1 ? 0.5F : 0.0F, inFloat) - side / 2;
       result.nominal = {low, low + side};
       result.low = static_cast<double>(result.nominal.low);

@@ -74,6 +74,17 @@ TEST(Baseline, ExcusesNoOtherDriverVersionOrScene) {
   EXPECT_EQ(statusOf(baseline, result), BaselineStatus::None);
 }
 
+TEST(Baseline, OfAnotherVersionSaysWhatIsOldButExcusesNothing) {
+  const Baseline baseline = baselineFor({"coverage"});
+  EXPECT_EQ(otherVersions(baseline, "driver", "Version 2.0"), std::vector<std::string>{"Version 1"});
+  EXPECT_TRUE(otherVersions(baseline, "driver", "Version 1.2").empty());
+  EXPECT_TRUE(otherVersions(baseline, "another", "Version 2.0").empty());
+  EXPECT_TRUE(differsInSomeVersion(baseline, "driver", "spec", resultOf(Verdict::Differs, 3)));
+  EXPECT_FALSE(differsInSomeVersion(baseline, "driver", "spec", resultOf(Verdict::Differs, 3, {"color"})));
+  EXPECT_FALSE(differsInSomeVersion(baseline, "driver", "spec", resultOf(Verdict::Same, 0)));
+  EXPECT_FALSE(differsInSomeVersion(baseline, "another", "spec", resultOf(Verdict::Differs, 3)));
+}
+
 TEST(Baseline, OfSomeRulesExcusesUnderNoOthers) {
   Baseline baseline = baselineFor({"coverage"});
   baseline.entries[0].rules = "spec";
