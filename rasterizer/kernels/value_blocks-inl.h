@@ -130,7 +130,7 @@ HWY_INLINE void DrawSeen(const ValueView& target, const DepthPlane& plane, size_
   const D d;
   const DU du;
   const ChunkF f;
-  constexpr size_t kAhead = 3;
+  constexpr size_t kAhead = 6;
   const size_t rowElements = view.samples * view.stride;
   const auto elementOf = [&](uint64_t code) { return (kBlock * (firstBlockRow + (code >> 16)) * view.samples + s) * view.stride + kBlock * (code & 0xFFFF); };
   const auto prefetch = [&](size_t n) {
@@ -161,13 +161,17 @@ HWY_INLINE void DrawSeen(const ValueView& target, const DepthPlane& plane, size_
         most = hn::Max(WriteChunk<P>(view, element + first, ChunkMask(static_cast<uint32_t>(bits[row]) >> first),
                                      ChunkDepth(start[row], plane.gx, first), number), most);
     float* HWY_RESTRICT far = farthest.Row(blockRow, s);
-    far[block] = hn::GetLane(hn::MaxOfLanes(f, most));
+    const auto here = hn::MaxOfLanes(f, most);
     if (kLong) {
-      const float* of = far + block / kBlocksOfLong * kBlocksOfLong;
-      auto all = hn::LoadU(f, of);
-      for (size_t first = kChunkLanes; first < kBlocksOfLong; first += kChunkLanes) all = hn::Max(all, hn::LoadU(f, of + first));
+      // The block itself is not loaded: that would wait until it is stored.
+      auto all = here;
+      for (size_t first = 0, from = block / kBlocksOfLong * kBlocksOfLong; first < kBlocksOfLong; first += kChunkLanes) {
+        const hn::Mask<ChunkF> itself = hn::Eq(hn::Iota(f, static_cast<float>(first)), hn::Set(f, static_cast<float>(block - from)));
+        all = hn::Max(all, hn::IfThenElse(itself, here, hn::LoadU(f, far + from + first)));
+      }
       farthest.LongRow(blockRow, s)[block / kBlocksOfLong] = hn::GetLane(hn::MaxOfLanes(f, all));
     }
+    far[block] = hn::GetLane(here);
   }
   seen.size = 0;
 }
