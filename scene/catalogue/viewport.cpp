@@ -29,8 +29,6 @@ Scene withDepthRange(float minDepth, float maxDepth) {
   return scene;
 }
 
-constexpr const char* kFractions = "https://github.com/dolphin-emu/dolphin/issues/10398";
-
 }  // namespace
 
 void addViewport(Entries& entries) {
@@ -46,7 +44,7 @@ void addViewport(Entries& entries) {
         [k] {
           return under({static_cast<float>(k) / 512, -static_cast<float>(k) / 512, 64, 64, 0, 1}, 4);
         },
-        kFractions);
+        k < 255 ? issue("dolphin-emu/dolphin", 10398) : issue("doitsujin/dxvk", 1864));
   }
   family.add("fractional-size", "width and height are no whole pixels", rules, [] {
     return under({3.25f, 2.75f, 50.3f, 41.7f, 0, 1});
