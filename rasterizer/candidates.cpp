@@ -7,6 +7,7 @@
 #include "rasterizer/choice_table.hpp"
 #include "rasterizer/cut_polygon.hpp"
 #include "rasterizer/fragment/alpha_to_coverage.hpp"
+#include "rasterizer/figure_verdict.hpp"
 #include "rasterizer/freedom_band.hpp"
 #include "rasterizer/interpolation.hpp"
 #include "rasterizer/render.hpp"
@@ -133,13 +134,10 @@ class CandidateFinder {
       const int64_t py = int64_t{y} * kSubpixelOne + pattern_[query.sample].y;
       BandVerdict verdict;
       if (rules_.open) {
-        verdict = figure.shape->classify(px, py);
-        if (figure.optional && verdict.coverage == Coverage::In) {
-          verdict = {Coverage::Either, Freedom::ClipVertexPosition, std::nullopt};
-        }
+        verdict = legalVerdict(figure, px, py);
       } else {
         bool tie = false;
-        verdict.coverage = !figure.optional && figure.shape->covers(px, py, tie) ? Coverage::In : Coverage::Out;
+        verdict.coverage = figure.nominal && figure.shape->covers(px, py, tie) ? Coverage::In : Coverage::Out;
       }
       if (verdict.coverage != Coverage::Out) addFigure(q, primitive, figure, verdict);
     });

@@ -7,6 +7,7 @@
 #include "rasterizer/cut_polygon.hpp"
 #include "rasterizer/figure_rules.hpp"
 #include "rasterizer/fragment_replay.hpp"
+#include "rasterizer/figure_verdict.hpp"
 #include "rasterizer/freedom_band.hpp"
 #include "rasterizer/lines/line_coverage.hpp"
 #include "rasterizer/sample_grid.hpp"
@@ -162,12 +163,12 @@ class Explainer {
     const FigureRules own(scene_, rules_, primitive, figure);
     e.shapeRules.assign(own.all().begin(), own.all().end());
     bool tie = false, ignored = false;
-    const bool inside = !figure.optional && figure.shape->covers(p.x, p.y, tie);
+    const bool inside = figure.nominal && figure.shape->covers(p.x, p.y, tie);
     e.facts = figure.shape->facts(p.x, p.y);
     e.dropped = !inside && figure.solid != nullptr && figure.solid->covers(p.x, p.y, ignored);
     if (e.facts.sides.empty() && !e.facts.diamond && figure.solid != nullptr) e.facts = figure.solid->facts(p.x, p.y);
     settle(e, primitive, figure, inside);
-    if (rules_.open) allow(e, figure.shape->classify(p.x, p.y));
+    if (rules_.open) allow(e, legalVerdict(figure, p.x, p.y));
     e.decidedBy = decidingRule(e, own.shape(), tie, inside);
     return e;
   }

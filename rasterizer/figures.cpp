@@ -30,6 +30,18 @@ bool atCorner(const RasterVertex& vertex) {
   return vertex.made && std::ranges::any_of(vertex.smoothWeights, [](double weight) { return weight == 1; });
 }
 
+// Does clipping leave only one corner or edge of the triangle, on the border of the volume? No area is left, and whether that
+// is a polygon depends on the new vertices.
+bool cutToItsBorder(const Primitive& primitive) {
+  std::array<bool, 3> left{};
+  for (const RasterVertex& vertex : primitive.polygon) {
+    const auto corner = std::ranges::find(vertex.smoothWeights, 1.0);
+    if (corner == vertex.smoothWeights.end()) return false;
+    left[static_cast<size_t>(corner - vertex.smoothWeights.begin())] = true;
+  }
+  return primitive.cut && std::ranges::count(left, true) < 3;
+}
+
 // [choice:cut-outline] Flagged: the edges of each triangle of the fan come last edge first. The one that closes the
 // polygon is then the first of a whole triangle, and the last but one of a cut polygon that begins with its provoking vertex.
 size_t flaggedOrder(bool cut, ProvokingVertexMode mode, size_t n, size_t k) {
@@ -87,7 +99,7 @@ bool FigureMaker::pointSurvives(const ClipInput& vertex) {
 }
 
 void FigureMaker::addPoint(Primitive& primitive, const ClipVertex& clip, RasterVertex vertex, const PointSize& size,
-                           bool optional) {
+                           const Existence& existence) {
   if (rules_.error == DeliberateError::PointRounded) {
     const auto centre = [](int32_t v) { return (v >> kSubpixelBits) * kSubpixelOne + kSubpixelOne / 2; };
     vertex.snapped = {centre(vertex.snapped.x), centre(vertex.snapped.y)};
@@ -97,7 +109,8 @@ void FigureMaker::addPoint(Primitive& primitive, const ClipVertex& clip, RasterV
   figure.kind = Figure::Kind::Point;
   figure.a = vertex;
   figure.size = size.nominal;
-  figure.optional = optional;
+  figure.existence = existence.freedom;
+  figure.nominal = existence.nominal;
   figure.shape = makePointShape(rounded(clip), vertex, floatPosition(stage_, clip), size, stage_);
   primitive.figures.push_back(std::move(figure));
 }
@@ -122,7 +135,7 @@ void FigureMaker::makeCorner(Primitive& primitive, const ClipInput& vertex, size
   }
   ClipVertex clip;
   clip.position = {vertex.position.x, vertex.position.y, vertex.position.z, vertex.position.w};
-  addPoint(primitive, clip, raster, size, false);
+  addPoint(primitive, clip, raster, size, {});
 }
 
 LineStyle FigureMaker::lineStyle() const {
@@ -144,7 +157,7 @@ LineStyle FigureMaker::lineStyle() const {
   return style;
 }
 
-void FigureMaker::addLine(Primitive& primitive, const LineEnds& ends, bool ofPolygon, bool optional) {
+void FigureMaker::addLine(Primitive& primitive, const LineEnds& ends, bool ofPolygon, const Existence& existence) {
   const bool smooth = scene_.state.lineRasterizationMode == LineRasterizationMode::RECTANGULAR_SMOOTH;
   if (smooth && rules_.error == DeliberateError::SmoothLinesDropped) return;
   LineStyle style = lineStyle();
@@ -157,7 +170,8 @@ void FigureMaker::addLine(Primitive& primitive, const LineEnds& ends, bool ofPol
   figure.a = ends.a;
   figure.b = ends.b;
   figure.size = style.width;
-  figure.optional = optional;
+  figure.existence = existence.freedom;
+  figure.nominal = existence.nominal;
   figure.cutsItself = rules_.choices.lineArithmetic == LineArithmetic::Float32Corners;
   const bool clipCorners = rules_.choices.lineArithmetic == LineArithmetic::ClipCorners && !rules_.open && !style.stipple.enabled;
   figure.shape = clipCorners ? makeClipCornerLine(ends.clip, style, stage_, volume_) : makeLineShape(ends, style, rules_);
@@ -211,7 +225,7 @@ void FigureMaker::makeLine(Primitive& primitive, const ClipInput& a, const ClipI
     turnWeights(ends.a, corner);
     turnWeights(ends.b, corner);
   }
-  addLine(primitive, ends, ofPolygon, false);
+  addLine(primitive, ends, ofPolygon, {});
 }
 
 PointSize FigureMaker::cornerSize(const Primitive& primitive, const RasterVertex& corner) const {
@@ -221,21 +235,27 @@ PointSize FigureMaker::cornerSize(const Primitive& primitive, const RasterVertex
   return pointSize(static_cast<float>(size), rules_.limits);
 }
 
-void FigureMaker::makeOutline(Primitive& primitive, const ClipPolygon& polygon, uint32_t culled) {
-  if (culled == ~uint32_t{0}) return;
+void FigureMaker::makeOutline(Primitive& primitive, const ClipPolygon& polygon, uint32_t culled, bool sideIsFree) {
+  const bool allCulled = culled == ~uint32_t{0};
+  if (allCulled && !sideIsFree) return;
   ++counts_[Rule::PolygonMode];
   stipple_ = {};
   const bool flagged = rules_.choices.cutOutline == CutOutline::Flagged;
   const size_t n = primitive.polygon.size();
   const bool open = rules_.error == DeliberateError::LineModeOpen && scene_.state.polygonMode == PolygonMode::LINE;
+  const bool mayVanish = rules_.open && cutToItsBorder(primitive);
+  const auto existence = [&](bool wanted) {
+    const Freedom freedom = !wanted || mayVanish ? Freedom::ClipVertexPosition : sideIsFree ? Freedom::NearZeroArea : Freedom::None;
+    return Existence{wanted && !allCulled, freedom};
+  };
   const bool lastEarly = flagged && scene_.state.polygonMode == PolygonMode::LINE;
   for (size_t k = 0; k < (open ? n - 1 : n); ++k) {
     const size_t i = lastEarly ? flaggedOrder(primitive.cut, scene_.state.provokingVertexMode, n, k) : k;
-    if ((culled >> fanTriangleOf(i, n) & 1) != 0) continue;
+    if (!allCulled && (culled >> fanTriangleOf(i, n) & 1) != 0) continue;
     const RasterVertex& a = primitive.polygon[i];
     if (scene_.state.polygonMode == PolygonMode::POINT) {
       const bool wanted = flagged ? polygon.vertices[i].outlined : !a.made;
-      if (wanted || rules_.open) addPoint(primitive, polygon.vertices[i], a, cornerSize(primitive, a), !wanted);
+      if (wanted || rules_.open) addPoint(primitive, polygon.vertices[i], a, cornerSize(primitive, a), existence(wanted));
       continue;
     }
     const RasterVertex& b = primitive.polygon[(i + 1) % n];
@@ -248,7 +268,7 @@ void FigureMaker::makeOutline(Primitive& primitive, const ClipPolygon& polygon, 
     // A triangle cut down to one of its edges has that edge, and the one along the cut in the same place.
     const bool alongCut = atCorner(a) && atCorner(b);
     const bool wanted = flagged ? polygon.vertices[i].outlined : !primitive.cut || (onOriginalEdge(a, b) && !alongCut);
-    if (wanted || rules_.open) addLine(primitive, ends, true, !wanted);
+    if (wanted || rules_.open) addLine(primitive, ends, true, existence(wanted));
   }
 }
 

@@ -22,14 +22,20 @@ class FigureMaker {
   void makeCorner(Primitive& primitive, const ClipInput& vertex, size_t k);
   void makeEdge(Primitive& primitive, const ClipInput& a, const ClipInput& b, size_t k);
   /// A triangle in polygon mode LINE or POINT, from its polygon after clipping. `culled`: bits of the fan's triangles whose
-  /// share of edges and corners is left out.
-  void makeOutline(Primitive& primitive, const ClipPolygon& polygon, uint32_t culled);
+  /// share of edges and corners is left out. `sideIsFree`: whether it is culled at all depends on legal snapping.
+  void makeOutline(Primitive& primitive, const ClipPolygon& polygon, uint32_t culled, bool sideIsFree);
 
  private:
+  /// Is a figure drawn, and what leaves that open?
+  struct Existence {
+    bool nominal = true;
+    Freedom freedom = Freedom::None;
+  };
+
   [[nodiscard]] bool pointSurvives(const ClipInput& vertex);
   void addPoint(Primitive& primitive, const ClipVertex& clip, RasterVertex vertex, const PointSize& size,
-                bool optional);
-  void addLine(Primitive& primitive, const LineEnds& ends, bool ofPolygon, bool optional);
+                const Existence& existence);
+  void addLine(Primitive& primitive, const LineEnds& ends, bool ofPolygon, const Existence& existence);
   void makeLine(Primitive& primitive, const ClipInput& a, const ClipInput& b, size_t first, bool ofPolygon);
   [[nodiscard]] PointSize pointSizeOf(uint32_t vertex) const;
   /// Sizes of a made corner are interpolated as any other output is.

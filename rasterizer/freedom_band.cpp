@@ -3,6 +3,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "rasterizer/facing_freedom.hpp"
+
 namespace rasterdiff::rasterizer {
 namespace {
 
@@ -28,28 +30,22 @@ FreedomBand::FreedomBand(const Primitive& primitive, CullMode cullMode, FrontFac
   const size_t n = polygon.size();
   triangle_ = n == 3 && !primitive.cut;
 
-  int64_t area = 0, perimeter = 0, farthest = 0;
   int32_t minX = std::numeric_limits<int32_t>::max(), minY = minX;
   int32_t maxX = std::numeric_limits<int32_t>::min(), maxY = maxX;
   for (size_t i = 0; i < n; ++i) {
     const RasterVertex& a = polygon[i];
-    const RasterVertex& b = polygon[(i + 1) % n];
-    area += doubleArea(polygon[0].snapped, a.snapped, b.snapped);
-    perimeter += std::llabs(int64_t{b.snapped.x} - a.snapped.x) + std::llabs(int64_t{b.snapped.y} - a.snapped.y);
-    farthest = std::max({farthest, reach(a.snapped.x, a.lowest.x, a.highest.x), reach(a.snapped.y, a.lowest.y, a.highest.y)});
     minX = std::min(minX, a.lowest.x);
     minY = std::min(minY, a.lowest.y);
     maxX = std::max(maxX, a.highest.x);
     maxY = std::max(maxY, a.highest.y);
   }
-  // Moving every vertex by at most m changes twice the area by at most m · perimeter (L1) + 4 n m².
-  const int64_t areaMargin = farthest * perimeter + 4 * static_cast<int64_t>(n) * farthest * farthest;
-  orientationCertain_ = std::llabs(area) > areaMargin;
-  const bool clockwise = area > 0;
+  const AreaBand area = areaBand(polygon);
+  orientationCertain_ = area.signIsCertain();
+  const bool clockwise = area.area > 0;
   if (orientationCertain_) {
     drawn_ = !isCulled(cullMode, frontFace, clockwise);
   } else {
-    drawn_ = cullMode != CullMode::FRONT_AND_BACK && (farthest > 0 || area != 0);
+    drawn_ = cullMode != CullMode::FRONT_AND_BACK && area.sideIsFree();
   }
 
   firstRow_ = minY >> kSubpixelBits;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "rasterizer/cut_polygon.hpp"
 #include "rasterizer/drawing_region.hpp"
+#include "rasterizer/facing_freedom.hpp"
 #include "rasterizer/figures.hpp"
 #include "rasterizer/piece_maker.hpp"
 #include "rasterizer/target_area.hpp"
@@ -217,22 +217,6 @@ class DrawGeometry {
     }
   }
 
-  // May legal places of the vertices that cutting made give what is left the other facing? Moving every vertex by at most m
-  // changes twice the area by at most m · perimeter (L1) + 4 n m².
-  [[nodiscard]] bool cutFacingIsFree() const {
-    if (!rules_.open || !primitive_.cut) return false;
-    const std::vector<RasterVertex>& polygon = primitive_.polygon;
-    int64_t perimeter = 0, farthest = 0;
-    for (size_t i = 0; i < polygon.size(); ++i) {
-      const RasterVertex &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-      perimeter += std::abs(int64_t{b.snapped.x} - a.snapped.x) + std::abs(int64_t{b.snapped.y} - a.snapped.y);
-      for (const SubpixelPosition& end : {a.lowest, a.highest}) {
-        farthest = std::max({farthest, std::abs(int64_t{end.x} - a.snapped.x), std::abs(int64_t{end.y} - a.snapped.y)});
-      }
-    }
-    return std::abs(doubleArea(polygon)) <= farthest * perimeter + 4 * static_cast<int64_t>(polygon.size()) * farthest * farthest;
-  }
-
   // [vk:primsrast-polygonmode] edges or corners of what clipping and culling left.
   void outline() {
     // [vk:primsrast-polygons-basic] without area it is back-facing.
@@ -247,11 +231,8 @@ class DrawGeometry {
     }
     uint32_t dropped = culled ? ~uint32_t{0} : 0;
     if (rules_.choices.cullPosition == CullPosition::AlsoFloat) dropped = facesInFloat();
-    const bool optional = culled && scene_.state.cullMode != CullMode::FRONT_AND_BACK && cutFacingIsFree();
-    figureMaker_.makeOutline(primitive_, clipped_, optional ? 0 : dropped);
-    if (optional) {
-      for (Figure& figure : primitive_.figures) figure.optional = true;
-    }
+    const bool oneSideIsCulled = scene_.state.cullMode == CullMode::FRONT || scene_.state.cullMode == CullMode::BACK;
+    figureMaker_.makeOutline(primitive_, clipped_, dropped, rules_.open && oneSideIsCulled && sideIsFree(primitive_));
     primitive_.pieces.clear();
     primitive_.polygon.clear();
   }

@@ -52,7 +52,8 @@ struct Figure {
   Kind kind = Kind::Point;
   std::shared_ptr<const Shape> shape;
   RasterVertex a, b;  ///< ends of a line; a point has `a` only. Weights refer to the primitive's vertices.
-  bool optional = false;  ///< the specification leaves open whether it is drawn; nominally it is not
+  Freedom existence = Freedom::None;  ///< why the specification leaves open whether it is drawn at all
+  bool nominal = true;                ///< is it drawn where that is open?
   float size = 1;     ///< line width or point size, pixels, as the device draws it
   std::shared_ptr<const LineCoverage> solid;  ///< of a stippled line: what it would cover without its pattern
   bool cutsItself = false;  ///< its shape covers nothing outside of the drawing region

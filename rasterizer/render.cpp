@@ -7,6 +7,7 @@
 #include "rasterizer/cut_polygon.hpp"
 #include "rasterizer/drawing_region.hpp"
 #include "rasterizer/figure_rules.hpp"
+#include "rasterizer/figure_verdict.hpp"
 #include "rasterizer/frame_writer.hpp"
 #include "rasterizer/freedom_band.hpp"
 #include "rasterizer/kernel_coverage.hpp"
@@ -180,13 +181,13 @@ class Renderer {
     for (uint32_t s = 0; s < pattern_.size(); ++s) {
       const int64_t px = int64_t{x} * kSubpixelOne + pattern_[s].x, py = int64_t{y} * kSubpixelOne + pattern_[s].y;
       bool tie = false;
-      const bool covered = !figure.optional && figure.shape->covers(px, py, tie);
+      const bool covered = figure.nominal && figure.shape->covers(px, py, tie);
       if (tie) ++counts_[Rule::TieBreak];
       if (covered && !inside) ++counts_[Rule::Scissor];
       if (figure.solid) countStipple(figure, px, py, covered);
       spans_[s] = covered && inside ? RowSpan{x, x + 1} : RowSpan{};
       if (!spans_[s].empty()) ++samples;
-      if (open_ && inside) writer_.markCoverage(x, y, s, legalCoverage(figure, px, py));
+      if (open_ && inside) writer_.markCoverage(x, y, s, legalVerdict(figure, px, py).coverage);
     }
     if (samples > 0) writer_.writeRow(primitive.number, values_, y, spans_);
     return samples;
@@ -195,11 +196,6 @@ class Renderer {
   void countStipple(const Figure& line, int64_t px, int64_t py, bool kept) {
     bool tie = false;
     if (kept || line.solid->covers(px, py, tie)) ++counts_[Rule::LineStipple];
-  }
-
-  [[nodiscard]] static Coverage legalCoverage(const Figure& figure, int64_t px, int64_t py) {
-    const Coverage coverage = figure.shape->classify(px, py).coverage;
-    return figure.optional && coverage == Coverage::In ? Coverage::Either : coverage;
   }
 
   void countInterpolation(const Primitive& primitive, uint64_t samples) {

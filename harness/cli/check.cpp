@@ -171,6 +171,7 @@ int runVerb(const CheckOptions& options) {
   if (!baseline) return complain(baseline.error(), "rasterdiff check --help");
   const std::set<uint32_t> pictured = picturedJobs(*jobs, order, !options.report.empty());
   Report report;
+  if (options.choice.rules != "auto") report.rulesOption = options.choice.rules;
   Collector collector(*jobs);
   Progress progress(order.size());
   PoolEvents events;

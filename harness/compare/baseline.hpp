@@ -14,7 +14,7 @@ namespace rasterdiff::harness {
 struct BaselineEntry {
   std::string driver;               ///< driverName: "llvmpipe"
   std::string version;              ///< the start of driverInfo: "Mesa 22.3"; empty for every version
-  std::string rules;                ///< name of the rules it was judged under: "spec"; empty for any
+  std::string rules;                ///< rules it was judged under: "spec"; "profile": any that describe a driver; empty: all
   std::string scene;                ///< name, or a glob
   std::vector<std::string> planes;  ///< "coverage", "depth", names of varyings: these differ, and no others; "crash" alone: it crashed
   std::string rule;                 ///< "R39"
@@ -27,6 +27,9 @@ struct Baseline {
   std::vector<BaselineEntry> entries;
 };
 
+/// May the entry explain what differs under these rules?
+[[nodiscard]] bool appliesUnder(const BaselineEntry& entry, std::string_view rulesName);
+
 /// The differences known to this project (harness/compare/known_differences.json).
 [[nodiscard]] const Baseline& builtInBaseline();
 
@@ -37,7 +40,8 @@ struct Baseline {
 /// The text of a baseline file; parseBaseline reads it back.
 [[nodiscard]] std::string writeBaseline(const Baseline& baseline);
 
-/// Sets `baseline` and `baselineReason` of a result that `driver` (name and info) gave.
+/// Sets `baseline` and `baselineReason` of a result that `driver` (name and info) gave. Under a profile from a file nothing
+/// counts as mended: it may describe the difference.
 void applyBaseline(const Baseline& baseline, std::string_view driverName, std::string_view driverInfo, std::string_view rulesName,
                    SceneResult& result);
 

@@ -29,7 +29,7 @@ bool explains(const BaselineEntry& entry, const Traits& when, std::string_view k
 
 bool isFor(const BaselineEntry& entry, std::string_view driverName, std::string_view driverInfo, std::string_view rulesName) {
   return !entry.when.empty() && entry.driver == driverName && driverInfo.starts_with(entry.version) &&
-         (entry.rules.empty() || entry.rules == rulesName);
+         appliesUnder(entry, rulesName);
 }
 
 }  // namespace

@@ -26,6 +26,10 @@ int urgency(const SceneEntry& entry) {
   return 0;
 }
 
+std::string rulesOption(const Report& report) {
+  return " --rules " + shellQuoted(report.rulesOption.empty() ? report.subject.rules : report.rulesOption);
+}
+
 }  // namespace
 
 bool hasFailed(const SceneEntry& entry) {
@@ -77,7 +81,7 @@ std::string explainCommand(const Report& report, const SceneEntry& entry) {
     if (result.verdict != Verdict::Differs) return {};
     return fmt::format("rasterdiff invariants {}{} --count {}", shellQuoted(entry.address.substr(kInvariantPrefix.size())), driver, kInvariantCases);
   }
-  const std::string rules = " --rules " + shellQuoted(report.subject.rules);
+  const std::string rules = rulesOption(report);
   const auto command = [&](uint32_t x, uint32_t y, uint32_t sample) {
     return fmt::format("rasterdiff explain {} {} {} --sample {}{}{}", scene, x, y, sample, driver, rules);
   };
@@ -111,8 +115,8 @@ std::string nextCommand(const Report& report) {
     if (entry->error && entry->error->hint.starts_with("rasterdiff ")) return entry->error->hint;
     if (entry->error) return fmt::format("rasterdiff check {} --jobs 1", shellQuoted(entry->address));
     if (entry->result.baseline == BaselineStatus::Improved) {
-      return fmt::format("rasterdiff check {} --driver {} --baseline none", shellQuoted(entry->address),
-                         shellQuoted(report.subject.driver));
+      return fmt::format("rasterdiff check {} --driver {}{} --baseline none", shellQuoted(entry->address),
+                         shellQuoted(report.subject.driver), rulesOption(report));
     }
     if (!isUnexpected(entry->result)) break;
     if (std::string command = explainCommand(report, *entry); !command.empty()) return command;

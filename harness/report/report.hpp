@@ -52,6 +52,7 @@ struct SceneEntry {
 
 struct Report {
   RunSubject subject;
+  std::string rulesOption;  ///< the rules as they were asked for: a name or a file; empty where the driver's own were
   std::vector<SceneEntry> scenes;
   std::string stopped;  ///< why scenes were left out, or empty
   uint64_t notRun = 0;  ///< scenes left out after `stopped`

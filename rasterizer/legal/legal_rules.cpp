@@ -38,7 +38,9 @@ Choices randomChoices(Prng& random, const Limits& limits) {
   choices.snapOrigin = static_cast<SnapOrigin>(random.below(4));
   choices.tieOwner =
       oneOf(random, std::array{TieOwner::TopLeft, TieOwner::TopRight, TieOwner::BottomLeft, TieOwner::BottomRight});
-  choices.slantedTies = static_cast<SlantedTies>(random.below(4));
+  // With the other two answers no shift of the samples explains who owns what: a vertex of a mesh that lies on a sample
+  // would own it twice, or not at all. [vk:primsrast-polygons-basic]
+  choices.slantedTies = oneOf(random, std::array{SlantedTies::LikeVertical, SlantedTies::LikeHorizontal});
   choices.clipArithmetic =
       oneOf(random, std::array{ClipArithmetic::Exact, ClipArithmetic::Float32Linear, ClipArithmetic::Float32Weighted});
   choices.cutFill = oneOf(random, std::array{CutFill::Polygon, CutFill::Spans});

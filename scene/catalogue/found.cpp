@@ -70,6 +70,15 @@ void addLines(Family& family) {
     draw(scene, {{1, 64}, {3, 64}});
     return scene;
   });
+  family.add("smooth-line-reversed-clamp", "the depth of a smooth line, clamped to a reversed depth range", {"R2", "R33", "R38"}, [] {
+    Scene scene = pixel(LINE_LIST, {{-0.5f, -1, 3, 1}, {-0.5f, 1, 0.5f, 1}});
+    scene.state.lineRasterizationMode = LineRasterizationMode::RECTANGULAR_SMOOTH;
+    scene.viewport.minDepth = 0.75f;
+    scene.viewport.maxDepth = 0.25f;
+    useDepth(scene, CompareOp::LESS);
+    scene.state.depthClampEnable = true;
+    return scene;
+  });
   family.add("line-over-viewport-4x", "the viewport does not cut the width of lines, at four samples either", {"R2", "R27"}, [] {
     Scene scene = pixel(LINE_LIST, {{-0.75f, 1, 0.5f, 1}, {-0.625f, 1, 0.5f, 1}}, 4);
     scene.viewport = {-2, -4, 16, 4, 0, 1};
@@ -153,6 +162,11 @@ void addTriangles(Family& family) {
     Scene scene = pixel(TRIANGLE_LIST, {{-1, -0.75f, 0, 1}, {-20.5f, -20, 0, 1}, {0, -1, 0, 1}});
     scene.viewport = {0, 0, 16, 8, 0, 1};
     scene.draws[0].varyings = {one("noperspective", Interpolation::noperspective, {0, 0, -1})};
+    return scene;
+  });
+  family.add("frag-coord-behind-eye", "1 / w of a triangle with a vertex behind the eye", {"R10", "R23"}, [] {
+    Scene scene = pixel(TRIANGLE_LIST, {{-30, -20, 0, -2}, {15, 9.203125f, 0, 1}, {-1, 9, 0, 1}});
+    scene.builtIns = {BuiltIn::FragCoord};
     return scene;
   });
   family.add("cut-sliver-folds", "a sliver that the near plane cuts: whatever snapping makes of it, a sample is covered once", {"R3", "R14"}, [] {

@@ -92,6 +92,23 @@ TEST(Baseline, OfSomeRulesExcusesUnderNoOthers) {
   EXPECT_EQ(statusOf(baseline, resultOf(Verdict::Differs, 1), "driver", "Version 1.2", "lavapipe"), BaselineStatus::None);
 }
 
+TEST(Baseline, OfAProfileExcusesUnderEveryProfileOfADriver) {
+  Baseline baseline = baselineFor({"coverage"});
+  baseline.entries[0].rules = "profile";
+  for (const char* rules : {"lavapipe", "llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"}) {
+    EXPECT_EQ(statusOf(baseline, resultOf(Verdict::Differs, 1), "driver", "Version 1.2", rules), BaselineStatus::ExpectedDiff) << rules;
+  }
+  for (const char* rules : {"spec", "d3d11", "reference"}) {
+    EXPECT_EQ(statusOf(baseline, resultOf(Verdict::Differs, 1), "driver", "Version 1.2", rules), BaselineStatus::None) << rules;
+  }
+}
+
+TEST(Baseline, ProfileFromAFileMayDescribeTheDifferenceSoThatNothingIsMended) {
+  const Baseline baseline = baselineFor({"coverage"});
+  EXPECT_EQ(statusOf(baseline, resultOf(Verdict::Same, 0), "driver", "Version 1.2", "driver (inferred)"), BaselineStatus::None);
+  EXPECT_EQ(statusOf(baseline, resultOf(Verdict::Same, 0), "driver", "Version 1.2", "lavapipe"), BaselineStatus::Improved);
+}
+
 TEST(Baseline, ExcusesACrashOnlyByName) {
   EXPECT_EQ(statusOf(baselineFor({"crash"}), resultOf(Verdict::Crashed, 0)), BaselineStatus::ExpectedDiff);
   EXPECT_EQ(statusOf(baselineFor({"crash"}), resultOf(Verdict::Differs, 1)), BaselineStatus::None);

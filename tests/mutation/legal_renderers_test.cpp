@@ -9,8 +9,11 @@
 
 #include "catalogue_scenes.hpp"
 #include "harness/compare/compare.hpp"
+#include "harness/invariants/run.hpp"
+#include "harness/subject.hpp"
 #include "rasterizer/legal/legal_rules.hpp"
 #include "rasterizer/render.hpp"
+#include "scene/catalogue/catalogue.hpp"
 
 namespace rasterdiff {
 namespace {
@@ -42,6 +45,35 @@ TEST(LegalRenderers, AreNeverCalledWrong) {
       if (result->verdict == Verdict::Allowed) ++allowed;
     }
     EXPECT_GT(allowed, 50U) << "legal:" << seed << " is hardly another renderer than the reference";
+  }
+}
+
+// Each of these seeds was once called wrong: triangles so flat that their side depends on the rounding, drawn as corners.
+TEST(LegalRenderers, AreNotCalledWrongOnFlatTrianglesDrawnAsCorners) {
+  for (const uint64_t seed : {5U, 18U}) {
+    const Rules legal = rasterizer::legalRules(seed), specification = Rules::specification(legal.limits);
+    const Result<Scene> scene = matchCatalogue("random-corners/4x").at(0)->make();
+    ASSERT_TRUE(scene);
+    const Result<Frame> expected = rasterizer::render(*scene, specification), actual = rasterizer::render(*scene, legal);
+    ASSERT_TRUE(expected && actual);
+    const Result<harness::SceneResult> result = harness::compare(*scene, specification, *expected, *actual);
+    ASSERT_TRUE(result);
+    EXPECT_NE(result->verdict, Verdict::Differs) << "legal:" << seed << ": " << result->reason;
+  }
+}
+
+// A vertex of a mesh on a sample has one owner, whatever the rule for ties.
+TEST(LegalRenderers, KeepWhatHoldsWithoutAReference) {
+  for (const uint64_t seed : {2U, 7U, 14U}) {
+    harness::SubjectOptions options;
+    options.driver = "legal:" + std::to_string(seed);
+    const Result<std::unique_ptr<harness::Subject>> subject = harness::openSubject(options);
+    ASSERT_TRUE(subject);
+    for (const harness::invariants::Invariant& invariant : harness::invariants::ownershipInvariants()) {
+      const auto outcome = harness::invariants::run(invariant, **subject, 1, 8);
+      ASSERT_TRUE(outcome) << invariant.name;
+      EXPECT_FALSE(outcome->broken) << "legal:" << seed << ", " << invariant.name;
+    }
   }
 }
 
