@@ -69,7 +69,7 @@ class PieceValues {
   /// Returns the gradient of depth, if a bias needs it.
   Gradient setUpPlanes(const Corners& vertices, const TrianglePlane& plane, ValuePlanes& planes);
   /// What a legal renderer (Rules::variation) does instead.
-  void varyTriangle(Corners vertices);
+  void varyTriangle(const Corners& piece);
   void varyLine(const Figure& figure, bool majorAxis);
   [[nodiscard]] Interval varied(size_t component, Spot spot) const;
   template <size_t kCorners>

@@ -20,11 +20,16 @@ FloatSpot cornerOf(const RasterVertex& vertex, bool snapped) {
 
 }  // namespace
 
-void PieceValues::varyTriangle(Corners v) {
+void PieceValues::varyTriangle(const Corners& piece) {
   const Variation& variation = *rules_.variation;
+  Corners v = piece;
   if (variation.uncutCorners && uncut_) v = {&(*uncut_)[0], &(*uncut_)[1], &(*uncut_)[2]};
   std::array<FloatSpot, 3> corners;
   for (size_t i = 0; i < 3; ++i) corners[i] = cornerOf(*v[i], variation.snappedCorners);
+  if (!FloatFunction::hasArea(corners)) {  // what is drawn has one after snapping
+    v = piece;
+    for (size_t i = 0; i < 3; ++i) corners[i] = cornerOf(*v[i], true);
+  }
   varied_.emplace().inputs.resize(inputs_.size());
   fillPlanes(v, *varied_, [&](const std::array<double, 3>& values, double, double) {
     return FloatFunction(variation.arithmetic, corners, toFloats(values));

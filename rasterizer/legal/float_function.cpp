@@ -34,6 +34,8 @@ FloatFunction::FloatFunction(FloatSpot a, FloatSpot b, bool majorAxis, const std
   dy_ = rise * (dy / squared);
 }
 
+bool FloatFunction::hasArea(const std::array<FloatSpot, 3>& corners) { return cross(corners[0], corners[1], corners[2]) != 0; }
+
 float FloatFunction::at(FloatSpot p) const {
   switch (arithmetic_) {
     case Variation::Arithmetic::PlaneAtOrigin: return anchor_ + dx_ * p.x + dy_ * p.y;

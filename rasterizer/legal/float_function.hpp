@@ -19,6 +19,9 @@ class FloatFunction {
   /// Along the line from a to b: by projection, or along the major axis.
   FloatFunction(FloatSpot a, FloatSpot b, bool majorAxis, const std::array<float, 2>& values);
 
+  /// Can a function go through values at these corners, in float32?
+  [[nodiscard]] static bool hasArea(const std::array<FloatSpot, 3>& corners);
+
   [[nodiscard]] float at(FloatSpot p) const;
 
  private:
