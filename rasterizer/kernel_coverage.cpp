@@ -25,9 +25,7 @@ bool needsCoverageOnly(const Scene& scene) {
 }
 
 bool drawsManyTriangles(const Scene& scene) {
-  uint64_t triangles = 0;
-  for (const Draw& draw : scene.draws) triangles += primitiveCount(scene.state, draw);
-  return triangles > kFewTriangles && fillsTriangles(scene.state);
+  return fillsTriangles(scene.state) && primitiveCount(scene) > kFewTriangles;
 }
 
 bool onlyTargetCuts(const Scene& scene, const Rules& rules) {

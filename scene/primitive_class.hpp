@@ -1,9 +1,16 @@
-// What kind of primitive a scene assembles, and what kinds reach the rasterizer: polygons may be drawn as lines or points.
+// What kind of primitive a scene assembles and how many, and what kinds reach the rasterizer: polygons may be drawn as lines or points.
 #pragma once
 
 #include "scene/scene.hpp"
 
 namespace rasterdiff {
+
+/// Of all draws, as they are numbered in a Frame: before clipping and culling.
+[[nodiscard]] inline uint64_t primitiveCount(const Scene& scene) {
+  uint64_t primitives = 0;
+  for (const Draw& draw : scene.draws) primitives += primitiveCount(scene.state, draw);
+  return primitives;
+}
 
 /// [vk:drawing-primitive-topology-class]
 enum class TopologyClass : uint8_t { Point, Line, Triangle };

@@ -14,6 +14,7 @@
 #include "harness/report/explanation_parts.hpp"
 #include "harness/report/numbers.hpp"
 #include "harness/report/output.hpp"
+#include "scene/primitive_class.hpp"
 
 namespace rasterdiff::harness::cli {
 namespace {
@@ -31,9 +32,7 @@ Result<void> checkPlace(const Scene& scene, const ExplainOptions& options) {
 constexpr uint64_t kMostPrimitivesToTry = 10'000, kMostSamplesToTry = 600'000;
 
 bool isSmall(const Scene& scene) {
-  uint64_t primitives = 0;
-  for (const Draw& draw : scene.draws) primitives += primitiveCount(scene.state, draw);
-  return primitives <= kMostPrimitivesToTry &&
+  return primitiveCount(scene) <= kMostPrimitivesToTry &&
          uint64_t{scene.target.width} * scene.target.height * scene.target.samples <= kMostSamplesToTry;
 }
 

@@ -11,6 +11,7 @@
 #include "harness/report/npy.hpp"
 #include "harness/report/picture.hpp"
 #include "rasterizer/render.hpp"
+#include "scene/primitive_class.hpp"
 
 namespace rasterdiff::harness::cli {
 namespace {
@@ -63,12 +64,6 @@ Result<Pictures> picturesOf(const Scene& scene, const rasterizer::Rules& rules, 
   return pictures;
 }
 
-uint64_t primitivesOf(const Scene& scene) {
-  uint64_t primitives = 0;
-  for (const Draw& draw : scene.draws) primitives += primitiveCount(scene.state, draw);
-  return primitives;
-}
-
 /// The verdict that an error of the driver amounts to; none for errors that are not the driver's.
 std::optional<Verdict> verdictOf(ErrorCode code) {
   switch (code) {
@@ -102,7 +97,7 @@ Result<void> drawAndCompare(SceneEntry& entry, const Job& job, Subject& subject,
   entry.width = scene->target.width;
   entry.height = scene->target.height;
   entry.samplesPerPixel = scene->target.samples;
-  entry.primitives = primitivesOf(*scene);
+  entry.primitives = primitiveCount(*scene);
 
   Seconds seconds;
   entering(kDriverPhase);

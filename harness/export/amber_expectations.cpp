@@ -9,6 +9,7 @@
 #include "harness/compare/legal_outcomes.hpp"
 #include "harness/export/amber_text.hpp"
 #include "rasterizer/depth/format.hpp"
+#include "scene/primitive_class.hpp"
 
 namespace rasterdiff::harness {
 namespace {
@@ -144,12 +145,10 @@ Result<AmberExpectations> expectedMasks(const Scene& scene, const rasterizer::Ru
   if (!candidates) return tl::unexpected(candidates.error());
   const uint32_t samples = scene.target.samples;
   const size_t pixels = candidates->size() / samples;
-  uint64_t primitives = 0;
-  for (const Draw& draw : scene.draws) primitives += primitiveCount(scene.state, draw);
   struct Mask {
     uint32_t certain = 0, possible = 0;
   };
-  std::vector<Mask> masks(pixels * primitives);
+  std::vector<Mask> masks(pixels * primitiveCount(scene));
   for (size_t i = 0; i < candidates->size(); ++i) {
     for (const Candidate& candidate : (*candidates)[i]) {
       Mask& mask = masks[(candidate.primitive - 1) * pixels + i / samples];

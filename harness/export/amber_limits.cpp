@@ -53,8 +53,8 @@ Result<void> checkVaryings(const Scene& scene) {
 
 Result<void> checkSize(const Scene& scene) {
   const uint64_t pixels = uint64_t{scene.target.width} * scene.target.height;
-  uint64_t primitives = 0, components = 1;
-  for (const Draw& draw : scene.draws) primitives += primitiveCount(scene.state, draw);
+  const uint64_t primitives = primitiveCount(scene);
+  uint64_t components = 1;
   if (!scene.draws.empty()) components += 8 * scene.draws[0].varyings.size();
   const uint64_t numbers = scene.target.samples > 1 ? pixels * primitives : pixels * components;
   if (numbers <= kMostNumbers && primitives <= kMostNumbers) return {};

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "harness/export/amber_expectations.hpp"
 #include "harness/export/amber_limits.hpp"
@@ -10,6 +11,7 @@
 #include "harness/export/amber_text.hpp"
 #include "harness/export/amber_vertices.hpp"
 #include "harness/report/numbers.hpp"
+#include "scene/file/enum_names.hpp"
 #include "scene/primitive_class.hpp"
 
 namespace rasterdiff::harness {
@@ -27,7 +29,7 @@ std::string features(const Scene& scene) {
   };
   const bool anySize = std::ranges::any_of(scene.draws, [](const Draw& draw) { return !draw.pointSizes.empty(); });
   const bool sampled = std::ranges::any_of(scene.draws[0].varyings, [](const Varying& v) { return v.interpolation == Interpolation::sample; });
-  need(!fillsTriangles(state) && state.polygonMode != PolygonMode::FILL, "fillModeNonSolid");
+  need(state.polygonMode != PolygonMode::FILL, "fillModeNonSolid");
   need(drawsPoints(state) && (anySize || state.pointSize != 1), "largePoints");
   need(scene.draws[0].clipDistanceCount > 0, "shaderClipDistance");
   need(scene.draws[0].cullDistanceCount > 0, "shaderCullDistance");
@@ -38,20 +40,11 @@ std::string features(const Scene& scene) {
   return text + "\n";
 }
 
-std::string_view compareName(CompareOp op) {
-  constexpr std::string_view kNames[] = {"never", "less", "equal", "less_or_equal", "greater", "not_equal", "greater_or_equal", "always"};
-  return kNames[static_cast<uint32_t>(op)];
-}
-
-std::string_view formatName(DepthFormat format) {
-  switch (format) {
-    case DepthFormat::D16_UNORM: return "D16_UNORM";
-    case DepthFormat::X8_D24_UNORM_PACK32: return "X8_D24_UNORM_PACK32";
-    case DepthFormat::D24_UNORM_S8_UINT: return "D24_UNORM_S8_UINT";
-    case DepthFormat::D32_SFLOAT_S8_UINT: return "D32_SFLOAT_S8_UINT";
-    case DepthFormat::D32_SFLOAT: break;
-  }
-  return "D32_SFLOAT";
+/// As Amber spells it: "less_or_equal".
+std::string compareName(CompareOp op) {
+  std::string name(enumName(op));
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return name;
 }
 
 std::string depthState(const State& state) {
@@ -101,13 +94,13 @@ std::string drawPixels(const Scene& scene, const AmberVertices& vertices) {
     pipelines += pipeline(name, scene.target, fmt::format("  BIND BUFFER {} AS color LOCATION 0\n", name), body);
     runs += run(scene, name + "_pipeline", vertices);
   }
-  if (scene.target.depthFormat) buffers += fmt::format("BUFFER depth FORMAT {}\n", formatName(*scene.target.depthFormat));
+  if (scene.target.depthFormat) buffers += fmt::format("BUFFER depth FORMAT {}\n", enumName(*scene.target.depthFormat));
   return shaders + buffers + "\n" + vertices.buffers + pipelines + runs;
 }
 
 std::string drawMasks(const Scene& scene, const AmberVertices& vertices) {
   const Target& target = scene.target;
-  const uint64_t words = uint64_t{target.width} * target.height * (vertices.count / (vertices.topology == "POINT_LIST" ? 1U : vertices.topology == "LINE_LIST" ? 2U : 3U));
+  const uint64_t words = uint64_t{target.width} * target.height * primitiveCount(scene);
   const std::string image = fmt::format("FORMAT R8G8B8A8_UNORM DIM_2D WIDTH {} HEIGHT {}", target.width, target.height);
   Scene colourOnly = scene;
   colourOnly.target.depthFormat.reset();

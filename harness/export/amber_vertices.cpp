@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "rasterizer/assembly.hpp"
+#include "scene/file/enum_names.hpp"
 #include "scene/primitive_class.hpp"
 
 namespace rasterdiff::harness {
@@ -84,13 +85,13 @@ class VertexWriter {
   uint32_t count_ = 0;
 };
 
-std::string_view listOf(PrimitiveTopology topology) {
+PrimitiveTopology listOf(PrimitiveTopology topology) {
   switch (topologyClassOf(topology)) {
-    case TopologyClass::Point: return "POINT_LIST";
-    case TopologyClass::Line: return "LINE_LIST";
+    case TopologyClass::Point: return PrimitiveTopology::POINT_LIST;
+    case TopologyClass::Line: return PrimitiveTopology::LINE_LIST;
     case TopologyClass::Triangle: break;
   }
-  return "TRIANGLE_LIST";
+  return PrimitiveTopology::TRIANGLE_LIST;
 }
 
 }  // namespace
@@ -108,7 +109,7 @@ AmberVertices amberVertices(const Scene& scene) {
     }
   }
   AmberVertices vertices = writer.take();
-  vertices.topology = listOf(scene.state.topology);
+  vertices.topology = enumName(listOf(scene.state.topology));
   return vertices;
 }
 

@@ -7,20 +7,15 @@
 
 #include "harness/report/json_parts.hpp"
 #include "harness/report/numbers.hpp"
+#include "scene/primitive_class.hpp"
 
 namespace rasterdiff::harness::hunt {
 namespace {
 
-uint32_t primitivesOf(const Scene& scene) {
-  uint32_t primitives = 0;
-  for (const Draw& draw : scene.draws) primitives += primitiveCount(scene.state, draw);
-  return primitives;
-}
-
 bool isLost(const Finding& finding) { return finding.verdict != Verdict::Differs; }
 
 std::string size(const Scene& scene) {
-  return fmt::format("{}, {} x {} pixels", counted(primitivesOf(scene), "primitive"), scene.target.width, scene.target.height);
+  return fmt::format("{}, {} x {} pixels", counted(primitiveCount(scene), "primitive"), scene.target.width, scene.target.height);
 }
 
 std::string place(const Finding& finding) {
@@ -49,7 +44,7 @@ Json jsonOf(const HuntReport& report, const Written& written) {
   const Finding& f = *written.finding;
   Json json{{"file", written.file}, {"picture", written.picture}, {"verdict", toString(f.verdict)}, {"kind", f.signature.kind},
             {"reason", f.reason}, {"x", f.at.x}, {"y", f.at.y}, {"sample", f.at.sample}, {"traits", namesOf(f.signature.traits)},
-            {"primitives", primitivesOf(f.scene)}, {"width", f.scene.target.width}, {"height", f.scene.target.height},
+            {"primitives", primitiveCount(f.scene)}, {"width", f.scene.target.width}, {"height", f.scene.target.height},
             {"samplesPerPixel", f.scene.target.samples}, {"seen", f.seen}, {"attempts", f.attempts}, {"steady", f.steady}};
   if (!f.known.empty()) json["known"] = {{"rule", f.knownRule}, {"reason", f.known}};
   if (!written.file.empty()) json["check"] = checkCommand(report, written);

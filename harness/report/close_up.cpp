@@ -9,6 +9,7 @@
 #include "harness/report/picture.hpp"
 #include "harness/report/sample_mark.hpp"
 #include "rasterizer/geometry.hpp"
+#include "rasterizer/sample_grid.hpp"
 #include "rasterizer/sample_pattern.hpp"
 
 namespace rasterdiff::harness {
@@ -57,6 +58,9 @@ class CloseUp {
       low = std::max(0, last - 2 * kAround - 1);
       high = last;
     };
+    if (scene.target.sampleLocations) {
+      if (Result<rasterizer::SampleGrid> grid = rasterizer::SampleGrid::of(scene, rules)) grid_ = std::move(*grid);
+    }
     side(focus.x, reference.width, window_.left, window_.right);
     side(focus.y, reference.height, window_.top, window_.bottom);
   }
@@ -132,30 +136,25 @@ class CloseUp {
     fmt::format_to(out(), "<rect x=\"{:.5g}\" y=\"{:.5g}\" width=\"0.16\" height=\"0.16\" fill=\"{}\"/>", x - 0.08, y - 0.08, kInk);
   }
 
-  /// In pixels from the corner of its pixel.
-  [[nodiscard]] std::pair<double, double> locationOf(uint32_t x, uint32_t y, uint32_t sample) const {
-    if (const auto& custom = scene_.target.sampleLocations) {
-      const size_t cell = x % custom->gridWidth + size_t{y % custom->gridHeight} * custom->gridWidth;
-      const SampleLocationEXT& at = custom->sampleLocations[cell * reference_.samples + sample];
-      return {at.x, at.y};
-    }
-    return {pixels(pattern_[sample].x), pixels(pattern_[sample].y)};
+  /// Of the samples of a pixel, in 1/256 pixel from its corner.
+  [[nodiscard]] std::vector<SubpixelPosition> patternOf(uint32_t x, uint32_t y) const {
+    const rasterizer::Rules& rules = grid_ ? grid_->ofPixel(x, y).rules : rules_;
+    return rasterizer::samplePattern(reference_.samples, rules).value_or(std::vector<SubpixelPosition>(reference_.samples));
   }
 
   void drawSamples() {
-    pattern_ = rasterizer::samplePattern(reference_.samples, rules_).value_or(std::vector<SubpixelPosition>(reference_.samples));
     const double radius = reference_.samples > 4 ? 0.06 : 0.1;
     for (auto y = static_cast<uint32_t>(window_.top); y < static_cast<uint32_t>(window_.bottom); ++y) {
       for (auto x = static_cast<uint32_t>(window_.left); x < static_cast<uint32_t>(window_.right); ++x) {
-        for (uint32_t s = 0; s < reference_.samples; ++s) drawSample(x, y, s, radius);
+        const std::vector<SubpixelPosition> pattern = patternOf(x, y);
+        for (uint32_t s = 0; s < reference_.samples; ++s) drawSample(x, y, s, pattern[s], radius);
       }
     }
   }
 
   /// Filled: the driver covered it, in the colour of the primitive. Its ring tells the verdict.
-  void drawSample(uint32_t x, uint32_t y, uint32_t sample, double radius) {
+  void drawSample(uint32_t x, uint32_t y, uint32_t sample, const SubpixelPosition& at, double radius) {
     const size_t index = reference_.primitive.index(x, y, sample);
-    const auto [dx, dy] = locationOf(x, y, sample);
     const uint32_t winner = actual_.primitive.data[index];
     std::string_view ring = "#9a9ea8";
     double width = 0.025;
@@ -164,10 +163,10 @@ class CloseUp {
       case SampleMark::Allowed: ring = "#f0b010", width = 0.07; break;
       default: break;
     }
-    fmt::format_to(out(), "<circle cx=\"{:.5g}\" cy=\"{:.5g}\" r=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"{}\"/>", x + dx, y + dy, radius,
+    fmt::format_to(out(), "<circle cx=\"{:.5g}\" cy=\"{:.5g}\" r=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"{}\"/>", x + pixels(at.x), y + pixels(at.y), radius,
                    winner == 0 ? std::string(kPaper) : primitiveColourText(winner), ring, width);
     if (x == focus_.x && y == focus_.y && sample == focus_.sample) {
-      fmt::format_to(out(), "<circle cx=\"{:.5g}\" cy=\"{:.5g}\" r=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"0.03\"/>", x + dx, y + dy, radius + 0.1, kInk);
+      fmt::format_to(out(), "<circle cx=\"{:.5g}\" cy=\"{:.5g}\" r=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"0.03\"/>", x + pixels(at.x), y + pixels(at.y), radius + 0.1, kInk);
     }
   }
 
@@ -177,7 +176,7 @@ class CloseUp {
   const SampleMarker marker_;
   const rasterizer::SampleQuery focus_;
   Window window_;
-  std::vector<SubpixelPosition> pattern_;
+  std::optional<rasterizer::SampleGrid> grid_;  // of custom sample locations
   std::string text_;
   size_t drawn_ = 0;
 };

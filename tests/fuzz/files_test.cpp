@@ -13,6 +13,7 @@
 #include "scene/file/scene_file.hpp"
 #include "scene/mesh/obj.hpp"
 #include "scene/polygon/svg_polygon.hpp"
+#include "scene/primitive_class.hpp"
 #include "tests/fuzz/mangled_text.hpp"
 
 namespace rasterdiff::test {
@@ -74,9 +75,7 @@ std::vector<std::string> sceneFiles() {
 }
 
 bool isSmall(const Scene& scene) {
-  uint64_t primitives = 0;
-  for (const Draw& draw : scene.draws) primitives += primitiveCount(scene.state, draw);
-  return uint64_t{scene.target.width} * scene.target.height * scene.target.samples <= 4096 && primitives <= 200;
+  return uint64_t{scene.target.width} * scene.target.height * scene.target.samples <= 4096 && primitiveCount(scene) <= 200;
 }
 
 TEST(MangledSceneFile, IsRefusedWithAReasonOrDrawn) {

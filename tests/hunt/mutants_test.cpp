@@ -6,6 +6,7 @@
 #include "harness/hunt/lane.hpp"
 #include "harness/hunt/shrink.hpp"
 #include "scene/file/scene_file.hpp"
+#include "scene/primitive_class.hpp"
 #include "tests/hunt/mutant_subject.hpp"
 
 namespace rasterdiff {
@@ -22,12 +23,6 @@ using harness::Verdict;
 using rasterizer::DeliberateErrorInfo;
 
 class HuntedMutant : public ::testing::TestWithParam<DeliberateErrorInfo> {};
-
-uint32_t primitivesOf(const Scene& scene) {
-  uint32_t primitives = 0;
-  for (const Draw& draw : scene.draws) primitives += primitiveCount(scene.state, draw);
-  return primitives;
-}
 
 TEST_P(HuntedMutant, IsFoundAndShrunk) {
   ReferenceWith mutant(GetParam().error);
@@ -49,7 +44,7 @@ TEST_P(HuntedMutant, IsFoundAndShrunk) {
   const Shrunk shrunk = shrink(raw.front().scene, raw.front().signature.kind, judging);
   EXPECT_EQ(shrunk.judgement.verdict, Verdict::Differs);
   EXPECT_NE(find(shrunk.judgement, raw.front().signature.kind), nullptr);
-  const uint32_t primitives = primitivesOf(shrunk.scene), pixels = shrunk.scene.target.width * shrunk.scene.target.height;
+  const uint32_t primitives = primitiveCount(shrunk.scene), pixels = shrunk.scene.target.width * shrunk.scene.target.height;
   std::cout << "[ HUNT     ] " << GetParam().name << ": " << scenes << " scenes, " << shrunk.attempts << " to shrink, " << primitives
             << " primitive(s), " << shrunk.scene.target.width << " x " << shrunk.scene.target.height << " pixels, " << shrunk.kind << ": "
             << namesOf(traitsOf(shrunk.scene)) << "\n";
