@@ -25,7 +25,7 @@ std::string beyondCoverage(const Scene& scene) {
   if (state.polygonMode != PolygonMode::FILL) return "edges or corners of triangles";
   if (needs.depth) return "depth";
   if (needs.varyings + needs.builtIns > 0 || state.alphaToCoverageEnable || needs.resolve) return "values";
-  if (state.sampleMask != State{}.sampleMask) return "a sample mask";
+  if (state.sampleMask != State{}.sampleMask || state.shaderSampleMask != ShaderSampleMask::NONE) return "a sample mask";
   return {};
 }
 

@@ -7,6 +7,8 @@
 #include "rasterizer/choice_table.hpp"
 #include "rasterizer/cut_polygon.hpp"
 #include "rasterizer/fragment/alpha_to_coverage.hpp"
+#include "rasterizer/fragment/coverage_freedom.hpp"
+#include "rasterizer/fragment/shader_mask.hpp"
 #include "rasterizer/figure_verdict.hpp"
 #include "rasterizer/freedom_band.hpp"
 #include "rasterizer/interpolation.hpp"
@@ -84,10 +86,13 @@ class CandidateFinder {
   CandidateFinder(const Scene& scene, const Rules& rules, std::span<const SampleQuery> queries,
                   std::vector<SubpixelPosition> pattern)
       : scene_(scene), rules_(rules), needs_(needsOf(scene)), queries_(queries), pattern_(std::move(pattern)),
-        index_(queries, scene.target.height), values_(scene, needs_, rules), found(queries.size()) {}
+        index_(queries, scene.target.height), values_(scene, needs_, rules), shaderMask_(scene), coverage_(scene.state),
+        found(queries.size()) {}
 
   void visit(const Primitive& primitive) {
     area_ = targetArea(scene_, primitive.viewportIndex);
+    shaderMask_.begin(*primitive.draw);
+    coverage_.setUp(primitive, nullptr);
     for (const Figure& figure : primitive.figures) visitFigure(primitive, figure);
     if (primitive.polygon.empty() && !primitive.unprojectable) return;
     if (primitive.unprojectable) {
@@ -125,6 +130,7 @@ class CandidateFinder {
  private:
   void visitFigure(const Primitive& primitive, const Figure& figure) {
     const Shape::Rows rows = figure.shape->rows();
+    coverage_.setUp(primitive, &figure);
     index_.inBox(0, rows.first, static_cast<int32_t>(scene_.target.width), rows.last, [&](size_t q) {
       const SampleQuery& query = queries_[q];
       const auto x = static_cast<int32_t>(query.x), y = static_cast<int32_t>(query.y);
@@ -145,7 +151,7 @@ class CandidateFinder {
 
   void addFigure(size_t q, const Primitive& primitive, const Figure& figure, BandVerdict verdict) {
     Candidate candidate = unbounded(primitive, verdict);
-    if (valuesMatter()) {
+    if (valuesMatter() || shaderMask_.writes()) {
       values_.setUp(primitive, figure);
       bound(q, candidate);
     }
@@ -154,7 +160,7 @@ class CandidateFinder {
 
   void add(size_t q, const Primitive& primitive, const SetupTriangle* piece, BandVerdict verdict) {
     Candidate candidate = unbounded(primitive, verdict);
-    if (piece != nullptr && valuesMatter()) {
+    if (piece != nullptr && (valuesMatter() || shaderMask_.writes())) {
       values_.setUp(primitive, *piece);
       bound(q, candidate);
     }
@@ -162,7 +168,9 @@ class CandidateFinder {
   }
 
   void push(size_t q, Candidate candidate) {
-    const bool masked = (scene_.state.sampleMask & (1U << queries_[q].sample)) == 0;  // [vk:fragops-samplemask]
+    const uint32_t sample = queries_[q].sample;
+    const bool masked = (scene_.state.sampleMask & (1U << sample)) == 0 ||  // [vk:fragops-samplemask]
+                        shaderMask_.keeps(sample, 0, ~0U) == Coverage::Out;
     if (!masked && candidate.coverage != Coverage::Out) found[q].push_back(std::move(candidate));
   }
 
@@ -188,24 +196,40 @@ class CandidateFinder {
                                       query.y + pattern_[query.sample].y / double{kSubpixelOne}).bounds;
     }
     FragmentPlace place{static_cast<int32_t>(query.x), static_cast<int32_t>(query.y), query.sample, 0};
-    if (values_.needsMask()) {
+    if (values_.needsMask() || shaderMask_.writes()) {
       place.covered = (values_.coveredSamples(place.x, place.y) & scene_.state.sampleMask) | 1U << query.sample;
     }
+    if (shaderMask_.writes()) applyShaderMask(place, candidate);
     std::vector<Interpolated> interpolated(values_.componentCount());
     values_.fragment(place, interpolated.data());
     for (size_t c = 0; c < interpolated.size(); ++c) candidate.varyings[c] = interpolated[c].bounds;
     if (scene_.state.alphaToCoverageEnable) applyAlpha(candidate);
   }
 
-  // [vk:fragops-covg] whether alpha keeps the sample: its own freedom, and what owns a tie matters no more.
+  // [vk:fragops-covg] the shader's mask, made of what the shader sees: a freedom of its own where that is free.
+  void applyShaderMask(const FragmentPlace& place, Candidate& candidate) {
+    uint32_t certain = place.covered, possible = place.covered;
+    if (rules_.open) {
+      const CoverageFreedom::Masks masks = coverage_.masks(place, pattern_);
+      certain &= masks.certain;
+      possible |= masks.possible & scene_.state.sampleMask;
+    }
+    limit(candidate, shaderMask_.keeps(place.sample, certain, possible), Freedom::ShaderSampleMask);
+  }
+
+  // Where a fragment operation may take the sample, what owns a tie matters no more.
+  static void limit(Candidate& candidate, Coverage kept, Freedom freedom) {
+    if (kept == Coverage::In || candidate.coverage == Coverage::Out) return;
+    candidate.coverage = kept;
+    candidate.freedom = freedom;
+    candidate.tieEdge.reset();
+  }
+
+  // [vk:fragops-covg] whether alpha keeps the sample.
   void applyAlpha(Candidate& candidate) const {
     const std::vector<Varying>& varyings = scene_.draws[0].varyings;
     if (varyings.empty() || varyings[0].components != 4) return;
-    const Coverage kept = alphaCoverage(candidate.varyings[3]);
-    if (kept == Coverage::In) return;
-    candidate.coverage = kept;
-    candidate.freedom = Freedom::AlphaToCoverage;
-    candidate.tieEdge.reset();
+    limit(candidate, alphaCoverage(candidate.varyings[3]), Freedom::AlphaToCoverage);
   }
 
   const Scene& scene_;
@@ -216,6 +240,8 @@ class CandidateFinder {
   PixelArea area_;  // of the primitive being visited
   const QueryIndex index_;
   PieceValues values_;
+  ShaderMask shaderMask_;
+  CoverageFreedom coverage_;  // of the triangle or figure being visited
 
  public:
   std::vector<std::vector<Candidate>> found;

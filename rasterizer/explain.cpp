@@ -63,6 +63,7 @@ Rule decidingRule(const PrimitiveExplanation& e, Rule shape, bool tie, bool insi
   switch (e.fate.end) {
     case FragmentFate::End::OutsideScissor: return Rule::Scissor;
     case FragmentFate::End::Masked: return Rule::SampleMask;
+    case FragmentFate::End::ShaderMasked: return Rule::ShaderSampleMask;
     case FragmentFate::End::AlphaDropped: return Rule::AlphaToCoverage;
     case FragmentFate::End::DepthFailed: return Rule::DepthTest;
     case FragmentFate::End::NotCovered:
@@ -83,6 +84,7 @@ class Explainer {
     reached_.push_back(primitive.number);
     inScissor_ = targetArea(scene_, primitive.viewportIndex, rules_.error)
                      .contains(static_cast<int32_t>(query_.x), static_cast<int32_t>(query_.y));
+    if (primitive.unprojectable) result_.primitives.push_back(explainUnprojectable(primitive));
     for (const SetupTriangle& piece : primitive.pieces) {
       if (reaches(primitive, piece, result_.position)) result_.primitives.push_back(explainPiece(primitive, piece));
     }
@@ -119,6 +121,14 @@ class Explainer {
     if (!rules_.open || !inScissor_) return;
     e.coverage = verdict.coverage;
     e.freedom = verdict.freedom;
+  }
+
+  PrimitiveExplanation explainUnprojectable(const Primitive& primitive) const {
+    PrimitiveExplanation e = begin(primitive);
+    e.unprojectable = true;
+    e.decidedBy = Rule::Division;
+    allow(e, {Coverage::Either, Freedom::DivisionByZero, std::nullopt});
+    return e;
   }
 
   PrimitiveExplanation explainPiece(const Primitive& primitive, const SetupTriangle& piece) {

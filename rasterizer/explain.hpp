@@ -24,6 +24,7 @@ struct FragmentFate {
     NotCovered,
     OutsideScissor,
     Masked,        ///< by the pipeline's sample mask
+    ShaderMasked,  ///< by the mask that the shader writes
     AlphaDropped,  ///< by alpha to coverage
     DepthFailed,
     Written,
@@ -43,6 +44,7 @@ struct PrimitiveExplanation {
   std::array<ClipPosition, 3> clip;
   bool clipped = false;      ///< a piece made by clipping
   bool frontFacing = false, culled = false;
+  bool unprojectable = false;  ///< some w is 0: it has no place on the screen (open rules), and none of the next three members
 
   std::array<SubpixelPosition, 3> snapped;  ///< of a triangle
   int64_t doubleArea = 0;                   ///< 1/65536 pixel², > 0 = counter-clockwise as Vulkan's formula has it

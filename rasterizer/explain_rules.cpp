@@ -64,6 +64,7 @@ void addState(RuleList& list, const Scene& scene) {
   list.addIf(scene.target.samples > 1, Rule::SamplePattern);
   list.addIf(scene.scissor.has_value() || !scene.furtherViewports.empty(), Rule::Scissor);
   list.addIf(state.sampleMask != State{}.sampleMask, Rule::SampleMask);
+  list.addIf(state.shaderSampleMask != ShaderSampleMask::NONE, Rule::ShaderSampleMask);
   list.addIf(state.alphaToCoverageEnable, Rule::AlphaToCoverage);
   list.addIf(scene.target.depthFormat.has_value(), Rule::DepthTest);
   list.addIf(scene.scissor.has_value() || state.depthTestEnable, Rule::Invariance);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rasterizer/explain.hpp"
+#include "rasterizer/fragment/shader_mask.hpp"
 #include "rasterizer/interpolation.hpp"
 
 namespace rasterdiff::rasterizer {
@@ -15,6 +16,7 @@ class FragmentReplay {
   template <class Part>
   [[nodiscard]] FragmentFate next(const Primitive& primitive, const Part& part) {
     values_.setUp(primitive, part);
+    shaderMask_.begin(*primitive.draw);
     return pass(primitive.number);
   }
 
@@ -25,6 +27,7 @@ class FragmentReplay {
   const SampleQuery query_;
   const double x_, y_;  // of the sample, pixels
   PieceValues values_;
+  ShaderMask shaderMask_;
   std::vector<Interpolated> buffer_;
   float stored_ = 0;
   uint32_t owner_ = 0;

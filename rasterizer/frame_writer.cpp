@@ -44,7 +44,7 @@ uint32_t maskUnder(const State& state, uint32_t samples, DeliberateError error) 
 
 FrameWriter::FrameWriter(const Scene& scene, const SceneNeeds& needs, const Rules& rules,
                          std::vector<SubpixelPosition> pattern, const PieceValues& values, RuleCounts& counts)
-    : state_(withError(scene.state, rules.error)), rules_(rules), error_(rules.error), pattern_(std::move(pattern)), counts_(counts),
+    : state_(withError(scene.state, rules.error)), rules_(rules), error_(rules.error), pattern_(std::move(pattern)), counts_(counts), shaderMask_(scene, rules.error),
       sampleMask_(maskUnder(scene.state, scene.target.samples, rules.error)), open_(rules.open),
       openValues_(rules.openValues()), resolve_(scene.target.resolve),
       depthResolveMode_(scene.target.depthResolveMode), depthFormat_(scene.target.depthFormat.value_or(DepthFormat::D32_SFLOAT)) {
@@ -61,7 +61,7 @@ FrameWriter::FrameWriter(const Scene& scene, const SceneNeeds& needs, const Rule
   frame_.samples = samples;
   frame_.primitive = Plane<uint32_t>(width, height, samples);
   frame_.count = Plane<uint32_t>(width, height, samples);
-  if (rules.open || alpha_) frame_.coverage.emplace(width, height, samples);
+  if (rules.open || alpha_ || shaderMask_.isFree()) frame_.coverage.emplace(width, height, samples);
   if (needs.depth) {
     const Interpolated clear = clearedDepth(scene.target.depthClearValue, *scene.target.depthFormat);
     frame_.depth.emplace(width, height, samples, 1, clear.value);
@@ -101,6 +101,19 @@ std::span<const RowSpan> FrameWriter::masked(std::span<const RowSpan> spans) {
   return masked_;
 }
 
+// [vk:fragops-covg] the shader's mask is ANDed to the coverage, before alpha is.
+std::span<const RowSpan> FrameWriter::keptByShader(int32_t y, std::span<const RowSpan> spans) {
+  const std::span<const RowSpan> kept = shaderMask_.kept(spans);
+  for (uint32_t s = 0; s < spans.size(); ++s) {
+    counts_[Rule::ShaderSampleMask] += static_cast<uint64_t>(std::max(0, spans[s].length() - kept[s].length()));
+    if (open_ || !shaderMask_.isFree()) continue;
+    for (int32_t x = spans[s].begin; x < spans[s].end; ++x) {
+      frame_.coverage->at(static_cast<uint32_t>(x), static_cast<uint32_t>(y), s) = Coverage::Either;
+    }
+  }
+  return kept;
+}
+
 void FrameWriter::fillCoverage(uint32_t primitive, int32_t y, std::span<const RowSpan> spans) {
   const bool firstWins = error_ == DeliberateError::FirstWins;
   uint64_t replaced = 0;
@@ -136,13 +149,15 @@ void FrameWriter::expect(int32_t x, int32_t firstRow, int32_t lastRow) const {
 
 void FrameWriter::writeRow(uint32_t primitive, PieceValues& values, int32_t y, std::span<const RowSpan> rasterized) {
   const std::span<const RowSpan> spans = masked(rasterized);
-  if (error_ != DeliberateError::None) mistakeRow(values, y, rasterized);
+  const bool unmasked = error_ == DeliberateError::ShaderMaskOfUnmasked;
+  const std::span<const RowSpan> kept = shaderMask_.writes() ? keptByShader(y, unmasked ? rasterized : spans) : spans;
+  if (error_ != DeliberateError::None) mistakeRow(values, y, rasterized, kept);
   if (!frame_.depth && frame_.varyings.empty()) {
-    fillCoverage(primitive, y, spans);
+    fillCoverage(primitive, y, kept);
     return;
   }
   if (late_) {
-    late_->writeRow(y, spans);
+    late_->writeRow(y, kept);
     return;
   }
   values_.resize(values.componentCount());
@@ -152,10 +167,10 @@ void FrameWriter::writeRow(uint32_t primitive, PieceValues& values, int32_t y, s
     begin = std::min(begin, span.begin);
     end = std::max(end, span.end);
   }
-  for (int32_t x = begin; x < end; ++x) writePixel(primitive, values, x, y, spans);
+  for (int32_t x = begin; x < end; ++x) writePixel(primitive, values, x, y, spans, kept);
 }
 
-void FrameWriter::mistakeRow(const PieceValues& values, int32_t y, std::span<const RowSpan> rasterized) {
+void FrameWriter::mistakeRow(const PieceValues& values, int32_t y, std::span<const RowSpan> rasterized, std::span<const RowSpan> kept) {
   const auto each = [&](const RowSpan& span, size_t s, const auto& visit) {
     for (int32_t x = span.begin; x < span.end; ++x) {
       visit(x, frame_.primitive.index(static_cast<uint32_t>(x), static_cast<uint32_t>(y), static_cast<uint32_t>(s)));
@@ -171,25 +186,31 @@ void FrameWriter::mistakeRow(const PieceValues& values, int32_t y, std::span<con
       each({span.end, quads.end}, s, [&](int32_t, size_t index) { ++frame_.count.data[index]; });
     }
     const bool maskedOut = (sampleMask_ & (1U << s)) == 0;
-    if (error_ == DeliberateError::SampleMaskAfterDepth && maskedOut && frame_.depth && state_.depthTestEnable && state_.depthWriteEnable) {
-      each(span, s, [&](int32_t x, size_t index) {
-        const float depth = values.depth(x + pattern_[s].x * kPixel, y + pattern_[s].y * kPixel).value;
-        if (passesDepth(index, depth)) frame_.depth->data[index] = depth;
-      });
+    if (!frame_.depth || !state_.depthTestEnable || !state_.depthWriteEnable) continue;
+    const auto writeDepth = [&](int32_t x, size_t index) {
+      const float depth = values.depth(x + pattern_[s].x * kPixel, y + pattern_[s].y * kPixel).value;
+      if (passesDepth(index, depth)) frame_.depth->data[index] = depth;
+    };
+    if (error_ == DeliberateError::SampleMaskAfterDepth && maskedOut) each(span, s, writeDepth);
+    if (error_ == DeliberateError::ShaderMaskAfterDepth && !maskedOut) {
+      const RowSpan left = kept[s].empty() ? RowSpan{span.end, span.end} : kept[s];
+      each({span.begin, left.begin}, s, writeDepth);
+      each({left.end, span.end}, s, writeDepth);
     }
   }
 }
 
-void FrameWriter::writePixel(uint32_t primitive, PieceValues& values, int32_t x, int32_t y, std::span<const RowSpan> spans) {
+void FrameWriter::writePixel(uint32_t primitive, PieceValues& values, int32_t x, int32_t y, std::span<const RowSpan> covered,
+                             std::span<const RowSpan> kept) {
   FragmentPlace place{x, y, 0, 0};
   if (values.needsMask()) {
-    for (size_t s = 0; s < spans.size(); ++s) {
-      if (x >= spans[s].begin && x < spans[s].end) place.covered |= 1U << s;
+    for (size_t s = 0; s < covered.size(); ++s) {
+      if (x >= covered[s].begin && x < covered[s].end) place.covered |= 1U << s;
     }
   }
   bool evaluated = values_.empty();
-  for (uint32_t s = 0; s < spans.size(); ++s) {
-    if (x < spans[s].begin || x >= spans[s].end) continue;
+  for (uint32_t s = 0; s < kept.size(); ++s) {
+    if (x < kept[s].begin || x >= kept[s].end) continue;
     place.sample = s;
     if (!evaluated) values.fragment(place, values_.data());
     evaluated = !values.perSample() || values_.empty();
@@ -215,7 +236,7 @@ bool FrameWriter::alphaKeeps(const FragmentPlace& place) {
   if (!keeps) ++counts_[Rule::AlphaToCoverage];
   if (!open_) {
     Coverage& known = frame_.coverage->at(static_cast<uint32_t>(place.x), static_cast<uint32_t>(place.y), place.sample);
-    const Coverage legal = alphaCoverage(alpha.bounds);
+    const Coverage legal = shaderMask_.isFree() ? Coverage::Either : alphaCoverage(alpha.bounds);
     if (known != Coverage::In && legal != Coverage::Out) known = legal;
   }
   return keeps;
@@ -265,9 +286,12 @@ void FrameWriter::markCoverage(int32_t y, uint32_t sample, RowSpan certain) {
 
 void FrameWriter::markCoverage(int32_t x, int32_t y, uint32_t sample, Coverage coverage) {
   if (coverage == Coverage::Out || (sampleMask_ & (1U << sample)) == 0) return;
+  // Nor are the fragment's other samples, so a mask that is made of them is as if all of them were free.
+  const Coverage shader = shaderMask_.keeps(sample, 0, ~0U);
+  if (shader == Coverage::Out) return;
   Coverage& known = frame_.coverage->at(static_cast<uint32_t>(x), static_cast<uint32_t>(y), sample);
   // What alpha keeps of it is not this function's to know.
-  if (known != Coverage::In) known = alpha_ ? Coverage::Either : coverage;
+  if (known != Coverage::In) known = alpha_ ? Coverage::Either : std::max(coverage, shader);
 }
 
 Frame FrameWriter::take(PieceValues& values) {

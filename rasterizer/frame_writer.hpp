@@ -1,9 +1,10 @@
-// The end of the pipeline: fragment samples through sample mask, alpha to coverage and depth test into the frame's
+// The end of the pipeline: fragment samples through sample mask, the shader's own, alpha to coverage and depth test into the frame's
 // planes, in drawing order, and the resolve. What the values are is PieceValues' business.
 #pragma once
 
 #include <string_view>
 
+#include "rasterizer/fragment/shader_mask.hpp"
 #include "rasterizer/interpolation.hpp"
 #include "rasterizer/late_values.hpp"
 #include "rasterizer/row_span.hpp"
@@ -17,6 +18,9 @@ class FrameWriter {
               const PieceValues& values, RuleCounts& counts);
   FrameWriter(const FrameWriter&) = delete;
   FrameWriter& operator=(const FrameWriter&) = delete;
+
+  /// What is written and marked from here on is of this draw.
+  void beginDraw(const Draw& draw) { shaderMask_.begin(draw); }
 
   /// The rows between them are those of one filled triangle.
   void beginPiece(uint32_t primitive, const PieceValues& values);
@@ -39,9 +43,12 @@ class FrameWriter {
  private:
   void addPlane(std::string_view name, uint32_t components);
   [[nodiscard]] std::span<const RowSpan> masked(std::span<const RowSpan> spans);
+  [[nodiscard]] std::span<const RowSpan> keptByShader(int32_t y, std::span<const RowSpan> spans);
   /// Deliberate errors that spoil what a row is not even to write.
-  void mistakeRow(const PieceValues& values, int32_t y, std::span<const RowSpan> rasterized);
-  void writePixel(uint32_t primitive, PieceValues& values, int32_t x, int32_t y, std::span<const RowSpan> spans);
+  void mistakeRow(const PieceValues& values, int32_t y, std::span<const RowSpan> rasterized, std::span<const RowSpan> kept);
+  /// `covered` is what the shader sees, `kept` what its mask leaves of that.
+  void writePixel(uint32_t primitive, PieceValues& values, int32_t x, int32_t y, std::span<const RowSpan> covered,
+                  std::span<const RowSpan> kept);
   [[nodiscard]] bool alphaKeeps(const FragmentPlace& place);
   void fillCoverage(uint32_t primitive, int32_t y, std::span<const RowSpan> spans);
   void writeSample(uint32_t primitive, size_t index, const Interpolated* depth, const Interpolated* values);
@@ -59,6 +66,7 @@ class FrameWriter {
   std::optional<LateValues> late_;
   std::vector<Interpolated> values_;
   std::vector<RowSpan> masked_;
+  ShaderMask shaderMask_;
   uint32_t sampleMask_ = 0;    ///< bits of the samples there are
   bool masks_ = false;         ///< some sample is masked out
   bool alpha_ = false, open_ = false, openValues_ = false, resolve_ = false;

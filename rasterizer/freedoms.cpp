@@ -53,6 +53,8 @@ constexpr std::array kFreedoms{
                 "the lines or points that a polygon mode makes of one triangle come in any order"},
     FreedomInfo{UndefinedDepth, "undefined-depth", "vk:fragops-depth",
                 "a depth outside of the viewport's range is undefined without depth clamping"},
+    FreedomInfo{ShaderSampleMask, "shader-sample-mask", "vk:fragops-shader-samplemask",
+                "what the shader finds in SampleMask, and writes there, depends on samples whose coverage or invocation is free"},
     FreedomInfo{AlphaToCoverage, "alpha-to-coverage", "vk:fragops-covg",
                 "which samples an alpha between 0 and 1 covers is not stated"},
     FreedomInfo{ResolveRounding, "resolve-rounding", "vk:VkResolveModeFlagBits",

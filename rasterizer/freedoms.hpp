@@ -30,6 +30,7 @@ enum class Freedom : uint8_t {
   DepthBias,          ///< slope, unit and scope of depth bias
   PrimitiveOrder,     ///< the order of the lines and points that polygon modes make of one triangle
   UndefinedDepth,     ///< depths outside of the viewport's range, unclamped
+  ShaderSampleMask,   ///< a mask that the shader makes of SampleMask, where the fragment's other samples are free
   AlphaToCoverage,    ///< which samples an alpha between 0 and 1 covers
   ResolveRounding,    ///< the average has no stated precision
   AttributePosition,   ///< undecorated inputs: anywhere in the fragment area

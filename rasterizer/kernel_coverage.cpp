@@ -21,7 +21,7 @@ bool needsCoverageOnly(const Scene& scene) {
   const SceneNeeds needs = needsOf(scene);
   const uint32_t all = (1U << scene.target.samples) - 1;
   return !needs.depth && needs.varyings == 0 && needs.builtIns == 0 &&
-         (scene.state.sampleMask & all) == all;
+         (scene.state.sampleMask & all) == all && scene.state.shaderSampleMask == ShaderSampleMask::NONE;
 }
 
 bool drawsManyTriangles(const Scene& scene) {

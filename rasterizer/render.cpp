@@ -43,6 +43,7 @@ class Renderer {
   void draw(const Primitive& primitive) {
     region_ = regions_[primitive.viewportIndex];
     area_ = region_.area;
+    writer_.beginDraw(*primitive.draw);
     if (primitive.folded) drawFolded(primitive);
     for (const SetupTriangle& piece : primitive.pieces) {
       if (piece.culled || primitive.folded) continue;

@@ -56,6 +56,7 @@ constexpr std::array<RuleInfo, static_cast<size_t>(Rule::Count_)> kRules{{
     {Rule::CustomLocations, "R18", "custom-locations", "vk:primsrast-samplelocations"},
     {Rule::SmoothLine, "R33", "smooth-line", "vk:primsrast-lines-smooth"},
     {Rule::SizeGranularity, "R51", "size-granularity", "vk:limits-lineWidthRange"},
+    {Rule::ShaderSampleMask, "R40", "shader-sample-mask", "vk:fragops-covg"},
 }};
 
 }  // namespace

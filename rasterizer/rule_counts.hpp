@@ -62,6 +62,7 @@ enum class Rule : uint8_t {
   CustomLocations,      ///< R18: some, not all, samples of a pixel with locations of its own were covered
   SmoothLine,           ///< R33: a sample was inside a smooth line
   SizeGranularity,      ///< R51: a sample was inside a point or line of fractional, rounded or clamped size
+  ShaderSampleMask, ///< R40: the mask that the shader wrote removed a covered sample
   Count_,
 };
 

@@ -193,6 +193,9 @@ Check checkDraw(const Scene& scene, size_t index) {
                fmt::format("viewport {} but only {}", draw.viewportIndex, 1 + scene.furtherViewports.size()),
                "0 is viewport, 1 the first of furtherViewports");
   }
+  if (draw.shaderSampleMaskBits != Draw{}.shaderSampleMaskBits && scene.state.shaderSampleMask == ShaderSampleMask::NONE) {
+    return bad(where + ".shaderSampleMaskBits", "bits that no shader writes", "set state.shaderSampleMask to CONSTANT");
+  }
   if (auto ok = checkVaryings(where, draw, scene); !ok) return ok;
   return checkAlike(where, draw, scene.draws.front());
 }

@@ -25,6 +25,7 @@ Check checkEnumerants(const State& state) {
   if (auto ok = checkEnumerant("provokingVertexMode", state.provokingVertexMode); !ok) return ok;
   if (auto ok = checkEnumerant("depthCompareOp", state.depthCompareOp); !ok) return ok;
   if (auto ok = checkEnumerant("polygonMode", state.polygonMode); !ok) return ok;
+  if (auto ok = checkEnumerant("shaderSampleMask", state.shaderSampleMask); !ok) return ok;
   return checkEnumerant("lineRasterizationMode", state.lineRasterizationMode);
 }
 
@@ -74,6 +75,20 @@ Check checkDepth(const Scene& scene) {
   return checkFinite("depthBiasSlopeFactor", state.depthBiasSlopeFactor);
 }
 
+/// Inputs with `sample` make devices shade samples one by one, in the passes that read them: what those find in SampleMask is then
+/// alike in all passes only where every invocation has one sample.
+Check checkShaderSampleMask(const Scene& scene) {
+  const State& state = scene.state;
+  if (state.shaderSampleMask != ShaderSampleMask::INPUT_SHIFTED || scene.target.samples == 1) return {};
+  if (state.sampleShadingEnable && state.minSampleShading == 1) return {};
+  const std::vector<Varying>& varyings = scene.draws.front().varyings;
+  const auto atSample = [](const Varying& varying) { return varying.interpolation == Interpolation::sample; };
+  if (std::none_of(varyings.begin(), varyings.end(), atSample)) return {};
+  return bad("state.shaderSampleMask",
+             "INPUT_SHIFTED with an input of interpolation sample: how many samples an invocation finds in SampleMask is not stated",
+             "set sampleShadingEnable and \"minSampleShading\": 1, or shaderSampleMask to CONSTANT");
+}
+
 Check checkSamples(const Scene& scene) {
   const State& state = scene.state;
   if (!(state.minSampleShading >= 0 && state.minSampleShading <= 1)) {
@@ -88,6 +103,7 @@ Check checkSamples(const Scene& scene) {
   if (state.alphaToCoverageEnable && (varyings.empty() || varyings.front().components != 4)) {
     return bad("state.alphaToCoverageEnable", "alpha is missing", "give the first varying four components");
   }
+  if (auto ok = checkShaderSampleMask(scene); !ok) return ok;
   if (scene.target.resolve && varyings.empty()) {
     return bad("target.resolve", "nothing to resolve: the draws have no varyings", "add a varying to every draw");
   }

@@ -79,6 +79,7 @@ struct State {
   bool sampleShadingEnable = false;
   float minSampleShading = 0;
   bool alphaToCoverageEnable = false;  ///< alpha is the fourth component of the first varying
+  ShaderSampleMask shaderSampleMask = ShaderSampleMask::NONE;  ///< the output of the fragment shader
   friend bool operator==(const State&, const State&) = default;
 };
 
@@ -102,6 +103,7 @@ struct Draw {
   std::vector<float> clipDistances{};  ///< vertex-major, clipDistanceCount a vertex; kept where >= 0
   std::vector<float> cullDistances{};  ///< vertex-major; a primitive with one negative at all vertices is discarded
   uint32_t viewportIndex = 0;        ///< 0: Scene::viewport; n: Scene::furtherViewports[n - 1]
+  uint32_t shaderSampleMaskBits = 0xFFFFFFFF;  ///< for State::shaderSampleMask
   friend bool operator==(const Draw&, const Draw&) = default;
 };
 

@@ -28,6 +28,13 @@ enum class PointClippingBehavior : uint32_t { ALL_CLIP_PLANES = 0, USER_CLIP_PLA
 /// `offset` is interpolateAtOffset of an undecorated input, by Varying::offset pixels.
 enum class Interpolation : uint32_t { smooth = 0, noperspective = 1, flat = 2, centroid = 3, sample = 4, offset = 5 };
 
+/// What the fragment shader writes to SampleMask (SPIR-V's BuiltIn, as an output).
+enum class ShaderSampleMask : uint32_t {
+  NONE,           ///< nothing: it has no such output
+  CONSTANT,       ///< its draw's shaderSampleMaskBits
+  INPUT_SHIFTED,  ///< (the SampleMask that it reads << 1) & its draw's shaderSampleMaskBits
+};
+
 /// Fragment shader built-ins that a scene may observe: each becomes a plane of that name.
 enum class BuiltIn : uint32_t { FragCoord, FrontFacing, PointCoord, SampleMask, SampleId, SamplePosition };
 

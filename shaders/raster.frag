@@ -2,6 +2,7 @@
 // Writes what reached the fragment, once a fragment, so that the values land in all samples it covers.
 // PRIMITIVE_BUILTIN or PRIMITIVE_FROM_VERTEX: attachment 0 takes 1 + the primitive's number, attachment 1 takes 1
 // (blended by addition into a count), varyings follow; with neither, varyings alone.
+// MASK_CONSTANT or MASK_SHIFTED: the sample mask is an output too.
 // Inputs are undecorated here: interpolations are put on them when a pipeline is made. Outputs have four components even
 // where an attachment has one: smooth lines multiply alpha into them, and a driver may not look whether there is any.
 
@@ -13,9 +14,10 @@ layout(location = 1) out vec4 written;
 #define FIRST_VALUE 0
 #endif
 
-#ifdef PRIMITIVE_BUILTIN
+#if defined(PRIMITIVE_BUILTIN) || defined(MASK_CONSTANT) || defined(MASK_SHIFTED)
 layout(push_constant) uniform DrawConstants {
-  uint firstPrimitive;
+  layout(offset = 0) uint firstPrimitive;
+  layout(offset = 16) uint shaderSampleMaskBits;
 } draw;
 #endif
 #ifdef PRIMITIVE_FROM_VERTEX
@@ -48,6 +50,12 @@ layout(location = FIRST_VALUE + 5) out vec4 out5;
 #endif
 
 void main() {
+#ifdef MASK_CONSTANT
+  gl_SampleMask[0] = int(draw.shaderSampleMaskBits);
+#endif
+#ifdef MASK_SHIFTED
+  gl_SampleMask[0] = (gl_SampleMaskIn[0] << 1) & int(draw.shaderSampleMaskBits);
+#endif
 #ifdef PRIMITIVE_BUILTIN
   primitive = uvec4(draw.firstPrimitive + uint(gl_PrimitiveID) + 1u);
   written = vec4(1.0);

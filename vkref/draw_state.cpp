@@ -44,7 +44,7 @@ DrawConstants constantsOf(PrimitiveTopology topology, ProvokingVertexMode mode, 
   const bool last = mode == ProvokingVertexMode::LAST_VERTEX;
   const auto numbered = [&](uint32_t verticesPerPrimitive, uint32_t firstProvoking) {
     return DrawConstants{draw.firstPrimitive, verticesPerPrimitive, draw.firstVertex + firstProvoking,
-                         draw.viewportIndex};
+                         draw.viewportIndex, draw.shaderSampleMaskBits};
   };
   switch (topology) {
     case PrimitiveTopology::POINT_LIST:

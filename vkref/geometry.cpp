@@ -139,6 +139,7 @@ Result<Geometry> upload(const Scene& scene, bool expand, Pool<Buffer>& buffers) 
     command.count = command.indexed ? vertexCount(draw) : static_cast<uint32_t>(vertices);
     command.firstPrimitive = primitives;
     command.viewportIndex = draw.viewportIndex;
+    command.shaderSampleMaskBits = draw.shaderSampleMaskBits;
     command.positions = reserve(vertices, 4);
     for (size_t v = 0; v < draw.varyings.size(); ++v) {
       command.varyings[v] = reserve(vertices, draw.varyings[v].components);

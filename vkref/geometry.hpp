@@ -17,6 +17,7 @@ struct DrawCommand {
   bool indexed = false;
   uint32_t firstPrimitive = 0;  ///< primitives of all draws before
   uint32_t viewportIndex = 0;
+  uint32_t shaderSampleMaskBits = 0;
   VkDeviceSize positions = 0, indices = 0;
   std::array<VkDeviceSize, kMaxVaryings> varyings{};
   VkDeviceSize pointSizes = 0, clipDistances = 0, cullDistances = 0;  ///< where the scene has them

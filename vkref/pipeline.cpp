@@ -35,8 +35,8 @@ VkPrimitiveTopology topologyOf(TopologyClass topologyClass) {
 
 std::vector<uint32_t> fragmentModule(const PipelineKey& key) {
   const std::span<const InputInterpolation> interpolations(key.interpolations.data(), key.varyings);
-  if (key.observes) return withInterpolations(builtInCode(key.builtIn, key.alphaFirst), interpolations);
-  std::vector<uint32_t> code = withInterpolations(fragmentCode(key.primitives, key.varyings), interpolations);
+  if (key.observes) return withInterpolations(builtInCode(key.builtIn, key.alphaFirst, key.shaderSampleMask), interpolations);
+  std::vector<uint32_t> code = withInterpolations(fragmentCode(key.primitives, key.varyings, key.shaderSampleMask), interpolations);
   const bool alphaIsFirst = !key.alphaFirst || key.primitives == PrimitiveSource::None;
   return alphaIsFirst ? code : withOutputFirst(code, kFirstVarying);
 }

@@ -11,6 +11,7 @@ namespace rasterdiff::vkref {
 /// Push constants of the raster shaders.
 struct DrawConstants {
   uint32_t firstPrimitive = 0, verticesPerPrimitive = 1, firstProvoking = 0, viewportIndex = 0;
+  uint32_t shaderSampleMaskBits = 0;
 };
 
 class PipelineCache {

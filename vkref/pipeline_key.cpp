@@ -46,6 +46,7 @@ PipelineKey pipelineKey(const Scene& scene, const RenderPlan& plan, const PassPl
   if (key.sampleShading) key.minSampleShading = plan.sampleShading ? 1 : state.minSampleShading;
   key.alphaToCoverage = state.alphaToCoverageEnable;
   key.alphaFirst = plan.alphaFirst;
+  key.shaderSampleMask = state.shaderSampleMask;
   if (const auto& custom = scene.target.sampleLocations) {
     for (const SampleLocationEXT& location : custom->sampleLocations) key.sampleLocations.push_back({location.x, location.y});
     key.sampleLocationGridWidth = custom->gridWidth;

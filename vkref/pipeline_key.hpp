@@ -37,6 +37,7 @@ struct PipelineKey {
   bool sampleShading = false;
   float minSampleShading = 0;
   bool alphaToCoverage = false, alphaFirst = false;
+  ShaderSampleMask shaderSampleMask = ShaderSampleMask::NONE;
   std::vector<SampleLocation2D> sampleLocations{};  ///< none: the standard ones
   uint32_t sampleLocationGridWidth = 1, sampleLocationGridHeight = 1;
   VertexExtras extras{};

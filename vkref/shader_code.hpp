@@ -25,9 +25,9 @@ struct VertexExtras {
 
 /// With any extras, the shader has all six varyings, whatever `varyings` is.
 [[nodiscard]] std::span<const uint32_t> vertexCode(PrimitiveSource source, uint32_t varyings, VertexExtras extras);
-[[nodiscard]] std::span<const uint32_t> fragmentCode(PrimitiveSource source, uint32_t varyings);
+[[nodiscard]] std::span<const uint32_t> fragmentCode(PrimitiveSource source, uint32_t varyings, ShaderSampleMask mask);
 /// `alpha`: output 0 is input 0, output 1 the built-in; else output 0 is the built-in.
-[[nodiscard]] std::span<const uint32_t> builtInCode(BuiltIn builtIn, bool alpha);
+[[nodiscard]] std::span<const uint32_t> builtInCode(BuiltIn builtIn, bool alpha, ShaderSampleMask mask);
 [[nodiscard]] std::span<const uint32_t> unpackCode(bool unsignedIntegers);
 
 }  // namespace rasterdiff::vkref

@@ -45,7 +45,7 @@ double counted(const Load& load, const SnappedTriangle& t) {
 bool testsFragments(const Scene& scene) {
   const auto masks = ~uint32_t{0} >> (32 - scene.target.samples);
   return scene.scissor || scene.state.depthTestEnable || scene.state.alphaToCoverageEnable ||
-         (scene.state.sampleMask & masks) != masks ||
+         (scene.state.sampleMask & masks) != masks || scene.state.shaderSampleMask != ShaderSampleMask::NONE ||
          std::ranges::any_of(scene.draws, [](const Draw& d) { return d.clipDistanceCount + d.cullDistanceCount > 0; });
 }
 

@@ -9,7 +9,7 @@ bool coversWholePixels(const Scene& scene) {
   const bool edges = state.topology >= PrimitiveTopology::TRIANGLE_LIST && state.polygonMode == PolygonMode::LINE;
   const bool lines = state.topology == PrimitiveTopology::LINE_LIST || state.topology == PrimitiveTopology::LINE_STRIP;
   return (lines || edges) && state.lineRasterizationMode == LineRasterizationMode::BRESENHAM && scene.target.samples > 1 &&
-         !state.depthTestEnable && !state.alphaToCoverageEnable;
+         !state.depthTestEnable && !state.alphaToCoverageEnable && state.shaderSampleMask == ShaderSampleMask::NONE;
 }
 
 bool pixelIsWhole(const Scene& scene, const Frame& frame, uint32_t x, uint32_t y) {

@@ -17,7 +17,7 @@ const std::vector<Family>& table() {
   static const std::vector<Family> families{
       {"any", "everything with everything", kEverything,
        {"culling", "polygon-mode", "provoking", "depth", "depth-bias", "depth-clip", "clip-control", "lines", "stipple", "point-size",
-        "samples", "samples", "sample-locations", "sample-mask", "sample-shading", "alpha", "resolve", "scissor", "viewport", "viewports", "target",
+        "samples", "samples", "sample-locations", "sample-mask", "shader-mask", "sample-shading", "alpha", "resolve", "scissor", "viewport", "viewports", "target",
         "perspective", "leave", "clip-distances", "cull-distances", "varyings", "varyings", "built-ins", "indices", "topology"},
        {}},
       {"fill", "filled triangles: ties, facing, strips, fans, indices", kTriangles,
@@ -34,7 +34,7 @@ const std::vector<Family>& table() {
        {"varyings", "built-ins", "samples", "sample-shading", "perspective", "provoking", "resolve", "leave", "polygon-mode", "indices", "lines"},
        {"varyings"}},
       {"samples", "masks, shading, alpha and resolve of several samples", kTriangles,
-       {"sample-mask", "sample-locations", "sample-shading", "alpha", "resolve", "varyings", "built-ins", "scissor", "clip-distances", "depth"}, {"samples"}},
+       {"sample-mask", "shader-mask", "sample-locations", "sample-shading", "alpha", "resolve", "varyings", "built-ins", "scissor", "clip-distances", "depth"}, {"samples"}},
       {"state", "views and scissors with everything", kEverything,
        {"scissor", "viewport", "viewports", "samples", "culling", "depth", "polygon-mode", "target", "varyings", "leave"}, {"viewport"}},
   };

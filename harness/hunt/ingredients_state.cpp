@@ -122,6 +122,14 @@ void sampleMask(Kitchen& k) {
   k.scene.state.sampleMask = k.random.chance(70) ? k.random.below(1U << k.scene.target.samples) : ~uint32_t{0};
 }
 
+/// Each draw with its own bits, all of them more often than by chance.
+void shaderMask(Kitchen& k) {
+  k.scene.state.shaderSampleMask = static_cast<ShaderSampleMask>(k.random.below(3));
+  for (Draw& draw : k.scene.draws) {
+    draw.shaderSampleMaskBits = k.random.chance(70) ? k.random.below(1U << k.scene.target.samples) : ~uint32_t{0};
+  }
+}
+
 void sampleShading(Kitchen& k) {
   k.scene.state.sampleShadingEnable = k.random.chance(80);
   k.scene.state.minSampleShading = oneOf(k.random, {0.0F, 0.25F, 0.5F, 1.0F, 1.0F});
@@ -147,6 +155,7 @@ constexpr std::array kIngredients{
     Ingredient{"samples", samples},         Ingredient{"sample-mask", sampleMask},
     Ingredient{"sample-shading", sampleShading}, Ingredient{"alpha", alpha},
     Ingredient{"resolve", resolve},         Ingredient{"sample-locations", sampleLocations},
+    Ingredient{"shader-mask", shaderMask},
 };
 
 }  // namespace

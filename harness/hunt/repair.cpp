@@ -65,6 +65,13 @@ void repair(Scene& scene, Prng& random) {
     // [vk:VkGraphicsPipelineCreateInfo] such lines exclude what works sample by sample
     state.alphaToCoverageEnable = state.sampleShadingEnable = false;
   }
+  const auto atSample = [](const Varying& varying) { return varying.interpolation == Interpolation::sample; };
+  if (many && state.shaderSampleMask == ShaderSampleMask::INPUT_SHIFTED && std::ranges::any_of(varyings, atSample)) {
+    state.shaderSampleMask = ShaderSampleMask::CONSTANT;  // what each invocation reads would not be stated
+  }
+  for (Draw& draw : scene.draws) {
+    if (state.shaderSampleMask == ShaderSampleMask::NONE) draw.shaderSampleMaskBits = Draw{}.shaderSampleMaskBits;
+  }
   const uint32_t bits = (uint32_t{1} << scene.target.samples) - 1;
   if ((state.sampleMask & bits) == bits) state.sampleMask = ~uint32_t{0};
 }

@@ -63,6 +63,11 @@ const std::array kChanges{
     Change{[](Scene& s) { s.state.pointSize = 1; }},
     Change{[](Scene& s) { s.state.pointSize = std::ceil(s.state.pointSize); }},
     Change{[](Scene& s) { s.state.sampleMask = ~uint32_t{0}; }},
+    Change{[](Scene& s) { s.state.shaderSampleMask = ShaderSampleMask::NONE; }},
+    Change{[](Scene& s) {
+      if (s.state.shaderSampleMask == ShaderSampleMask::INPUT_SHIFTED) s.state.shaderSampleMask = ShaderSampleMask::CONSTANT;
+    }},
+    Change{[](Scene& s) { for (Draw& draw : s.draws) draw.shaderSampleMaskBits = Draw{}.shaderSampleMaskBits; }},
     Change{[](Scene& s) { s.state.sampleShadingEnable = false; }},
     Change{[](Scene& s) { s.state.minSampleShading = s.state.sampleShadingEnable ? 1.0F : 0.0F; }},
     Change{[](Scene& s) { s.state.alphaToCoverageEnable = false; }},

@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, static_cast<size_t>(Trait::Count_)> kName
     "leaves-sides", "leaves-depth", "no-positive-w", "perspective", "negative-one-to-one",
     "depth", "depth-unorm", "depth-test", "depth-bias", "depth-clamp", "depth-clip-stated",
     "wide-line", "bresenham", "rectangular", "smooth-line", "stipple", "large-point", "small-point",
-    "clip-distance", "cull-distance", "sample-mask", "sample-mask-at-one-sample", "sample-shading", "alpha-to-coverage", "resolve", "sample-locations",
+    "clip-distance", "cull-distance", "sample-mask", "sample-mask-at-one-sample", "shader-mask", "shader-mask-shifted", "sample-shading", "alpha-to-coverage", "resolve", "sample-locations",
     "smooth", "noperspective", "flat", "centroid", "sample", "offset",
     "frag-coord", "front-facing", "point-coord", "sample-mask-in", "sample-id", "sample-position",
     "non-finite"};
@@ -118,6 +118,8 @@ class Collector {
     const uint32_t all = samples >= 32 ? ~uint32_t{0} : (uint32_t{1} << samples) - 1;
     set(Trait::Multisampled, samples > 1);
     set(samples > 1 ? Trait::SampleMask : Trait::SampleMaskAtOneSample, (scene_.state.sampleMask & all) != all);
+    set(Trait::ShaderMask, scene_.state.shaderSampleMask == ShaderSampleMask::CONSTANT);
+    set(Trait::ShaderMaskShifted, scene_.state.shaderSampleMask == ShaderSampleMask::INPUT_SHIFTED);
     set(Trait::SampleShading, scene_.state.sampleShadingEnable);
     set(Trait::AlphaToCoverage, scene_.state.alphaToCoverageEnable);
     set(Trait::Resolve, scene_.target.resolve);

@@ -30,13 +30,15 @@ std::string_view word(Coverage coverage) {
 }
 
 void writePrimitive(Out out, const PrimitiveExplanation& e, bool open, bool depth) {
-  if (e.kind == PrimitiveExplanation::Kind::Triangle) {
+  if (e.unprojectable) {
+    writeUnprojectable(out, e);
+  } else if (e.kind == PrimitiveExplanation::Kind::Triangle) {
     writeTriangle(out, e);
   } else {
     writeFigure(out, e);
   }
   const std::string fate = fateText(e, depth);
-  fmt::format_to(out, "    result  {}, decided by {}\n", fate.empty() ? "not covered" : fate, ruleText(e.decidedBy));
+  fmt::format_to(out, "    result  {}, decided by {}\n", e.unprojectable ? "no place on the screen" : fate.empty() ? "not covered" : fate, ruleText(e.decidedBy));
   if (!open) return;
   fmt::format_to(out, "    legal   {}", word(e.coverage));
   if (e.freedom != Freedom::None) {

@@ -81,6 +81,15 @@ void writeTriangle(TextOut out, const PrimitiveExplanation& e) {
   for (const EdgeExplanation& edge : e.edges) writeEdge(out, edge);
 }
 
+void writeUnprojectable(TextOut out, const PrimitiveExplanation& e) {
+  writeHead(out, e, "a triangle");
+  fmt::format_to(out, ": {}\n", e.clipped ? "clipping cuts it where w is 0" : "the w of a corner is 0");
+  for (uint32_t v = 0; v < e.vertices; ++v) {
+    writeClip(out, e.clip[v]);
+    fmt::format_to(out, "\n");
+  }
+}
+
 void writeFigure(TextOut out, const PrimitiveExplanation& e) {
   const bool point = e.kind == PrimitiveExplanation::Kind::Point;
   const bool ofTriangle = e.vertices == 3;
@@ -126,6 +135,7 @@ std::string fateText(const PrimitiveExplanation& e, bool depth) {
     case FragmentFate::End::NotCovered: return {};
     case FragmentFate::End::OutsideScissor: return "inside, but outside of the scissor";
     case FragmentFate::End::Masked: return "covered, but the sample mask drops it" + depths;
+    case FragmentFate::End::ShaderMasked: return "covered, but the mask that the shader writes drops it" + depths;
     case FragmentFate::End::AlphaDropped: return fmt::format("covered, but an alpha of {} drops it", fate.alpha) + depths;
     case FragmentFate::End::DepthFailed:
       return fmt::format("covered, but depth {} fails against the stored {}", fate.depth, fate.stored);

@@ -13,6 +13,8 @@ namespace rasterdiff::harness {
 using TextOut = std::back_insert_iterator<std::string>;
 
 void writeTriangle(TextOut out, const rasterizer::PrimitiveExplanation& triangle);
+/// One that has no place on the screen.
+void writeUnprojectable(TextOut out, const rasterizer::PrimitiveExplanation& triangle);
 void writeFigure(TextOut out, const rasterizer::PrimitiveExplanation& figure);
 /// "drawn over primitive 3", "dropped: depth 0.5 against the stored 0.25"; empty where it did not get that far.
 [[nodiscard]] std::string fateText(const rasterizer::PrimitiveExplanation& primitive, bool depth);

@@ -133,6 +133,9 @@ bool mistakeState(State& state, DeliberateError error) {
 
 bool mistakeDraws(Scene& scene, DeliberateError error) {
   switch (error) {
+    case ShaderMaskOfFirstDraw:
+      for (Draw& draw : scene.draws) draw.shaderSampleMaskBits = scene.draws.front().shaderSampleMaskBits;
+      return true;
     case ClipDistanceFirstOnly:
       for (Draw& draw : scene.draws) keepFirstClipDistance(draw);
       return true;

@@ -102,6 +102,7 @@ void addClipDistance(Entries& entries);
 void addCullDistance(Entries& entries);
 void addViewports(Entries& entries);
 void addSampleMask(Entries& entries);
+void addShaderMask(Entries& entries);
 void addSampleShading(Entries& entries);
 void addCentroid(Entries& entries);
 void addOffset(Entries& entries);

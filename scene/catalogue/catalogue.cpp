@@ -16,7 +16,7 @@ std::vector<CatalogueEntry> collect() {
         f::addSliver,        f::addTiny,          f::addFar,          f::addPoint,        f::addPointClip,
         f::addLineRect,      f::addLineBresenham, f::addLineWide,     f::addLineStipple,  f::addLineStrip,
         f::addPolygonMode,   f::addRestart,       f::addDepthClip,    f::addDepthFormat,  f::addDepthBias,
-        f::addDepthPrecision, f::addClipDistance, f::addCullDistance, f::addViewports,    f::addSampleMask,
+        f::addDepthPrecision, f::addClipDistance, f::addCullDistance, f::addViewports,    f::addSampleMask, f::addShaderMask,
         f::addSampleShading, f::addCentroid,      f::addOffset,       f::addAlphaToCoverage, f::addBuiltIns,
         f::addResolve,       f::addSupersample,   f::addCrowd,        f::addFound,        f::addRandom,       f::addRandomLines,  f::addRandomPoints,
         f::addRandomStrips,  f::addRandomOutlines, f::addRandomCuts,  f::addRandomDepth,

@@ -86,6 +86,13 @@ std::span<const EnumName<ResolveMode>> enumNames() {
 }
 
 template <>
+std::span<const EnumName<ShaderSampleMask>> enumNames() {
+  using enum ShaderSampleMask;
+  static constexpr EnumName<ShaderSampleMask> kNames[] = {{"NONE", NONE}, {"CONSTANT", CONSTANT}, {"INPUT_SHIFTED", INPUT_SHIFTED}};
+  return kNames;
+}
+
+template <>
 std::span<const EnumName<Interpolation>> enumNames() {
   using enum Interpolation;
   static constexpr EnumName<Interpolation> kNames[] = {

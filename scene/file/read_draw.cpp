@@ -20,7 +20,7 @@ bool readTransform(Reader& reader, const JsonValue& draw, glm::dmat4& transform)
 }
 
 bool readMesh(Reader& reader, const JsonValue& value, const DrawContext& context, Draw& draw) {
-  static constexpr std::array<std::string_view, 3> kFields{"mesh", "transform", "varyings"};
+  static constexpr std::array<std::string_view, 4> kFields{"mesh", "transform", "varyings", "shaderSampleMaskBits"};
   static constexpr OfferedVaryings kOffered{"a mesh", kMeshVaryings};
   if (!reader.object(value, "mesh draw", kFields)) return false;
   const JsonValue file = *value.member("mesh");
@@ -75,12 +75,14 @@ bool readViewportIndex(Reader& reader, const JsonValue& draw, const DrawContext&
                      "0 is viewport, 1 the first of furtherViewports");
 }
 
-bool readDraw(Reader& reader, const JsonValue& value, const DrawContext& context, Draw& draw) {
-  if (value.member("mesh")) return readMesh(reader, value, context, draw);
-  if (value.member("svg") || value.member("points")) return readPolygon(reader, value, context, draw);
-  static constexpr std::array<std::string_view, 12> kFields{
+namespace {
+
+/// A draw with its own vertices.
+bool readVertices(Reader& reader, const JsonValue& value, const DrawContext& context, Draw& draw) {
+  static constexpr std::array<std::string_view, 13> kFields{
       "positions",     "space", "indices",   "varyings",      "pointSizes", "clipDistances",
-      "cullDistances", "mesh",  "transform", "viewportIndex", "svg",        "points"};
+      "cullDistances", "mesh",  "transform", "viewportIndex", "svg",        "points",
+      "shaderSampleMaskBits"};
   if (!reader.object(value, "draw", kFields, {"positions"})) return false;
   if (const auto v = value.member("transform"))
     return reader.fail(*v, "'transform' without 'mesh'", "only meshes are transformed");
@@ -96,6 +98,16 @@ bool readDraw(Reader& reader, const JsonValue& value, const DrawContext& context
   }
   return readPointSizes(reader, value, draw) && readDistances(reader, value, context.scene.allowNonFinite, draw) &&
          readVaryings(reader, value, nullptr, context.scene.allowNonFinite, draw.varyings);
+}
+
+}  // namespace
+
+bool readDraw(Reader& reader, const JsonValue& value, const DrawContext& context, Draw& draw) {
+  const bool polygon = value.member("svg") || value.member("points");
+  const auto read = value.member("mesh") ? readMesh : polygon ? readPolygon : readVertices;
+  if (!read(reader, value, context, draw)) return false;
+  const auto bits = value.member("shaderSampleMaskBits");
+  return !bits || reader.unsigned32(*bits, draw.shaderSampleMaskBits);
 }
 
 }  // namespace rasterdiff

@@ -52,8 +52,8 @@ bool readSvg(Reader& reader, const JsonValue& draw, const DrawContext& context, 
 }  // namespace
 
 bool readPolygon(Reader& reader, const JsonValue& value, const DrawContext& context, Draw& draw) {
-  static constexpr std::array<std::string_view, 4> kSvgFields{"svg", "z", "viewportIndex", "varyings"};
-  static constexpr std::array<std::string_view, 5> kPointsFields{"points", "fillRule", "z", "viewportIndex", "varyings"};
+  static constexpr std::array<std::string_view, 5> kSvgFields{"svg", "z", "viewportIndex", "varyings", "shaderSampleMaskBits"};
+  static constexpr std::array<std::string_view, 6> kPointsFields{"points", "fillRule", "z", "viewportIndex", "varyings", "shaderSampleMaskBits"};
   static constexpr OfferedVaryings kOffered{"a polygon", kPolygonVaryings};
   const bool ofFile = value.member("svg").has_value();
   if (ofFile ? !reader.object(value, "SVG draw", kSvgFields) : !reader.object(value, "polygon draw", kPointsFields)) {

@@ -109,7 +109,7 @@ bool readState(Reader& reader, const JsonValue& value, State& state) {
        "depthCompareOp", "negativeOneToOne", "primitiveRestartEnable", "polygonMode", "depthClampEnable",
        "depthClipEnable", "depthBiasEnable", "depthBiasConstantFactor", "depthBiasClamp", "depthBiasSlopeFactor",
        "lineWidth", "lineRasterizationMode", "stippledLineEnable", "lineStippleFactor", "lineStipplePattern",
-       "pointSize", "sampleMask", "sampleShadingEnable", "minSampleShading", "alphaToCoverageEnable"});
+       "pointSize", "sampleMask", "sampleShadingEnable", "minSampleShading", "alphaToCoverageEnable", "shaderSampleMask"});
   if (!reader.object(value, "state", kFields)) return false;
   const auto named = [&](std::string_view field, auto& out) {
     const auto v = value.member(field);
@@ -141,7 +141,8 @@ bool readState(Reader& reader, const JsonValue& value, State& state) {
       flag("stippledLineEnable", state.stippledLineEnable) && integer("lineStippleFactor", state.lineStippleFactor) &&
       integer("lineStipplePattern", pattern) && number("pointSize", state.pointSize) &&
       integer("sampleMask", state.sampleMask) && flag("sampleShadingEnable", state.sampleShadingEnable) &&
-      number("minSampleShading", state.minSampleShading) && flag("alphaToCoverageEnable", state.alphaToCoverageEnable);
+      number("minSampleShading", state.minSampleShading) && flag("alphaToCoverageEnable", state.alphaToCoverageEnable) &&
+      named("shaderSampleMask", state.shaderSampleMask);
   if (!read) return false;
   if (pattern > UINT16_MAX) {
     return reader.fail(*value.member("lineStipplePattern"), fmt::format("{} has more than 16 bits", pattern),

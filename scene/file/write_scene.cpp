@@ -130,6 +130,7 @@ void writeState(std::string& out, const State& state) {
   flag("sampleShadingEnable", state.sampleShadingEnable);
   number("minSampleShading", state.minSampleShading, defaults.minSampleShading);
   flag("alphaToCoverageEnable", state.alphaToCoverageEnable);
+  named("shaderSampleMask", state.shaderSampleMask, defaults.shaderSampleMask);
   out += "}";
 }
 
@@ -180,6 +181,9 @@ void writeDraw(std::string& out, const Draw& draw) {
     writeList(field("indices"), *draw.indices, write);
   }
   if (draw.viewportIndex != 0) field("viewportIndex") += fmt::format("{}", draw.viewportIndex);
+  if (draw.shaderSampleMaskBits != Draw{}.shaderSampleMaskBits) {
+    field("shaderSampleMaskBits") += fmt::format("{}", draw.shaderSampleMaskBits);
+  }
   if (!draw.pointSizes.empty()) {
     writeList(field("pointSizes"), draw.pointSizes, [&](float size) { out += jsonNumber(size); });
   }

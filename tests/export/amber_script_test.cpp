@@ -157,6 +157,7 @@ TEST(AmberScript, RefusesWhatAmberCannotSay) {
   };
   refused("scissor/one-pixel", "scissor");
   refused("sample-mask/1x-0", "state.sampleMask");
+  refused("shader-mask/4x-6", "state.shaderSampleMask");
   refused("line-bresenham/values", "state.lineRasterizationMode");
   refused("depth/less-4x", "state.depthTestEnable");
   refused("offset/perspective-one-pixel", "varyings");

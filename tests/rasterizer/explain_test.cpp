@@ -53,6 +53,20 @@ TEST(Explain, NamesTheRuleThatDecided) {
   EXPECT_EQ(ruleAt(2, 2), Rule::Culling);
 }
 
+// [vk:vertexpostproc-coord-transform] it has no place on the screen, and may be anywhere.
+TEST(Explain, NamesThePrimitiveThatDividesByZeroAndItsFreedom) {
+  Scene scene = testing::sceneOf({{1, 1}, {6, 1}, {1, 6}}, 8);
+  scene.draws[0].positions[2] = {0, 0, 0, 0};
+  const SampleExplanation e = *explain(scene, openRules(), {7, 7, 0});
+  ASSERT_EQ(e.primitives.size(), 1U);
+  EXPECT_EQ(e.primitives[0].primitive, 1U);
+  EXPECT_TRUE(e.primitives[0].unprojectable);
+  EXPECT_EQ(e.primitives[0].coverage, Coverage::Either);
+  EXPECT_EQ(e.primitives[0].freedom, Freedom::DivisionByZero);
+  EXPECT_EQ(e.primitives[0].decidedBy, Rule::Division);
+  EXPECT_TRUE(e.rejections.empty());
+}
+
 TEST(Explain, TieOwnersMatchTheFrame) {
   const Scene scene = testing::sceneOf({{1.5, 1.5}, {5.5, 1.5}, {5.5, 5.5}, {1.5, 1.5}, {5.5, 5.5}, {1.5, 5.5}}, 8);
   const SampleExplanation e = *explain(scene, testing::referenceRules(), {3, 3, 0});

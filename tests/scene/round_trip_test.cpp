@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -82,6 +83,7 @@ void drawState(Scene& scene) {
   state.sampleMask = *rc::gen::arbitrary<uint32_t>();
   state.sampleShadingEnable = *rc::gen::arbitrary<bool>();
   state.minSampleShading = pick({0.0f, 0.1f, 1.0f});
+  state.shaderSampleMask = pick({ShaderSampleMask::NONE, ShaderSampleMask::CONSTANT, ShaderSampleMask::INPUT_SHIFTED});
   if (*rc::gen::arbitrary<bool>()) {
     scene.furtherViewports = {{{-0.5f, 0, 8.1f, -8, 1, 0}, std::nullopt}, {{1, 2, 3, 4, 0, 0.1f}, Rect2D{1, 2, 3, 4}}};
   }
@@ -130,6 +132,11 @@ Scene anyScene() {
       kinds.back().offsetY = pick({0.0f, 0.4375f, 1e-45f});
     }
   }
+  const bool atSamples = std::ranges::any_of(kinds, [](const Varying& v) { return v.interpolation == Interpolation::sample; });
+  if (atSamples && scene.state.shaderSampleMask == ShaderSampleMask::INPUT_SHIFTED) {
+    scene.state.sampleShadingEnable = true;
+    scene.state.minSampleShading = 1;
+  }
   scene.target.resolve = varyings > 0 && scene.target.samples > 1 && *rc::gen::arbitrary<bool>();
   scene.state.alphaToCoverageEnable =
       varyings > 0 && kinds[0].components == 4 && scene.target.samples > 1 && *rc::gen::arbitrary<bool>();
@@ -144,6 +151,7 @@ Scene anyScene() {
     const std::vector<float> p = floats(4 * vertices);
     for (size_t i = 0; i < vertices; ++i)
       draw.positions.push_back({p[4 * i], p[4 * i + 1], p[4 * i + 2], p[4 * i + 3]});
+    if (scene.state.shaderSampleMask != ShaderSampleMask::NONE) draw.shaderSampleMaskBits = *rc::gen::arbitrary<uint32_t>();
     if (*rc::gen::arbitrary<bool>()) {
       draw.indices = *rc::gen::container<std::vector<uint32_t>>(rc::gen::inRange(0u, static_cast<uint32_t>(vertices)));
     }

@@ -156,6 +156,14 @@ TEST(Validate, EachMistakeIsRefusedAtItsField) {
          s.state.alphaToCoverageEnable = true;
          s.target.samples = 4;
        }},
+      {"state.shaderSampleMask", [](Scene& s) { s.state.shaderSampleMask = static_cast<ShaderSampleMask>(3); }},
+      {"state.shaderSampleMask",
+       [](Scene& s) {
+         s.target.samples = 4;
+         s.state.shaderSampleMask = ShaderSampleMask::INPUT_SHIFTED;
+         s.draws[0].varyings[0].interpolation = Interpolation::sample;
+       }},
+      {"draws[0].shaderSampleMaskBits", [](Scene& s) { s.draws[0].shaderSampleMaskBits = 1; }},
       {"builtIns[1]", [](Scene& s) { s.builtIns = {BuiltIn::FragCoord, BuiltIn::FragCoord}; }},
       {"builtIns[0]", [](Scene& s) { s.builtIns = {BuiltIn::PointCoord}; }},
       {"builtIns[0]", [](Scene& s) { s.builtIns = {static_cast<BuiltIn>(6)}; }},

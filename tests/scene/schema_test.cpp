@@ -84,6 +84,7 @@ TEST_F(SchemaTest, WhatTheLoaderAcceptsConforms) {
           R"("furtherViewports": [{"viewport": {"width": 8, "height": -8}, "scissor": {"width": 1, "height": 1}}], "builtIns": ["FragCoord", "SampleMask"])"),
       scene(
           R"("state": {"topology": "LINE_STRIP", "primitiveRestartEnable": true, "lineWidth": 2.5, "lineRasterizationMode": "BRESENHAM", "stippledLineEnable": true, "lineStippleFactor": 256, "lineStipplePattern": 3855, "depthClipEnable": false, "sampleMask": 4294967295})"),
+      R"({"target": {"width": 8, "height": 8, "samples": 4}, "state": {"shaderSampleMask": "CONSTANT"}, "draws": [{"positions": [[1, 2, 3, 4]], "shaderSampleMaskBits": 6}, {"points": "0,0 4,0 4,4", "shaderSampleMaskBits": 1}]})",
       withDraw(
           R"({"positions": [[1, 2, 3, 4]], "varyings": [{"name": "a-b_C", "values": [[1, 2]]}, {"name": "b", "interpolation": "flat", "values": [3]}]})"),
   };
@@ -131,6 +132,7 @@ TEST_F(SchemaTest, WhatItRefusesTheLoaderRefusesToo) {
       scene(R"("state": {"lineStipplePattern": 65536})"),
       scene(R"("state": {"minSampleShading": 1.5})"),
       scene(R"("state": {"sampleMask": -1})"),
+      scene(R"("state": {"shaderSampleMask": "SHIFTED"})"),
       scene(R"("state": {"blendEnable": true})"),
       scene(R"("furtherViewports": [{}])"),
       scene(R"("furtherViewports": [{"viewport": {"width": 8}}])"),

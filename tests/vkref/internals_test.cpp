@@ -20,7 +20,7 @@ int decorations(const std::vector<uint32_t>& module, uint32_t decoration) {
 }
 
 TEST(SpirvPatch, DecoratesExactlyTheInputsThatAsk) {
-  const std::span<const uint32_t> code = fragmentCode(PrimitiveSource::Builtin, 3);
+  const std::span<const uint32_t> code = fragmentCode(PrimitiveSource::Builtin, 3, ShaderSampleMask::NONE);
   const std::vector<uint32_t> untouched(code.begin(), code.end());
   const auto patched = withInterpolations(
       code, std::vector<InputInterpolation>{{Interpolation::flat}, {}, {Interpolation::noperspective}});

@@ -39,6 +39,45 @@ TEST_P(DriverSampling, TheSampleMaskLeavesOutWhatItHasNoBitFor) {
   }
 }
 
+TEST_P(DriverSampling, TheMaskThatTheShaderWritesLeavesOutWhatItHasNoBitFor) {
+  for (uint32_t samples : {1U, 4U}) {
+    for (uint32_t bits = 0; bits < 16; ++bits) {
+      Scene scene = sceneOf(wholeTarget(), 8, 8, samples);
+      scene.state.shaderSampleMask = ShaderSampleMask::CONSTANT;
+      scene.draws[0].shaderSampleMaskBits = 0xFFFFFFF0U | bits;
+      const Frame constant = draw(scene);
+      scene.state.shaderSampleMask = ShaderSampleMask::INPUT_SHIFTED;
+      const Frame shifted = draw(scene);
+      for (uint32_t s = 0; s < samples; ++s) {
+        EXPECT_EQ(constant.count.at(5, 2, s), (bits >> s) & 1) << bits;
+        EXPECT_EQ(shifted.count.at(5, 2, s), s == 0 ? 0 : (bits >> s) & 1) << bits;
+      }
+    }
+  }
+}
+
+// Values and built-ins come from passes of their own: each writes the mask.
+TEST_P(DriverSampling, TheMaskThatTheShaderWritesIsThatOfEveryPass) {
+  Scene scene = placed(wholeTarget(), Interpolation::smooth);
+  const Varying one = scene.draws[0].varyings[0];
+  for (const char* name : {"a", "b", "c", "d", "e", "f", "g"}) {
+    scene.draws[0].varyings.push_back(one);
+    scene.draws[0].varyings.back().name = name;
+  }
+  scene.builtIns = {BuiltIn::FragCoord};
+  for (const ShaderSampleMask mask : {ShaderSampleMask::CONSTANT, ShaderSampleMask::INPUT_SHIFTED}) {
+    scene.state.shaderSampleMask = mask;
+    scene.draws[0].shaderSampleMaskBits = 0x6;
+    const Frame frame = draw(scene);
+    ASSERT_EQ(frame.varyings.size(), 9U);
+    for (uint32_t s = 0; s < 4; ++s) {
+      const bool kept = s == 1 || s == 2;
+      EXPECT_EQ(frame.primitive.at(5, 2, s), kept ? 1U : 0U);
+      for (const VaryingPlane& plane : frame.varyings) EXPECT_EQ(plane.values.at(5, 2, s, 0) != 0, kept) << plane.name << s;
+    }
+  }
+}
+
 TEST_P(DriverSampling, TheSampleMaskHoldsForOneSampleToo) {
   Scene scene = sceneOf(wholeTarget());
   scene.state.sampleMask = 1;

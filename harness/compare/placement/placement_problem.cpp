@@ -64,6 +64,8 @@ class Builder {
     bare_.target.depthClearValue = 1;
     bare_.state.depthTestEnable = bare_.state.depthWriteEnable = bare_.state.depthBiasEnable = false;
     bare_.state.sampleShadingEnable = bare_.state.alphaToCoverageEnable = false;
+    bare_.state.shaderSampleMask = ShaderSampleMask::NONE;
+    for (Draw& draw : bare_.draws) draw.shaderSampleMaskBits = Draw{}.shaderSampleMaskBits;
     problem_.cullMode = scene.state.cullMode;
     problem_.frontFace = scene.state.frontFace;
     problem_.advertisedBits = rasterizer::gridBits(rules);
@@ -186,7 +188,7 @@ class Builder {
     const uint32_t winner = actual_.primitive.at(query.x, query.y, query.sample);
     const int64_t count = actual_.count.at(query.x, query.y, query.sample);
     const bool hidden = scene_.state.depthTestEnable && scene_.target.depthFormat;
-    const bool fading = scene_.state.alphaToCoverageEnable;
+    const bool fading = scene_.state.alphaToCoverageEnable || scene_.state.shaderSampleMask != ShaderSampleMask::NONE;
     int64_t certainBefore = 0, freeBefore = 0;
     for (const Candidate& candidate : candidates) {
       if (candidate.primitive >= winner) continue;
