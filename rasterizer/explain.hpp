@@ -32,6 +32,7 @@ struct FragmentFate {
   End end = End::NotCovered;
   float depth = 0, stored = 0;  ///< what the depth test compared, where there is a depth attachment
   float alpha = 1;              ///< where alpha to coverage is on
+  uint32_t shaderMask = 0;      ///< what the shader writes to SampleMask, where it does
   uint32_t replaced = 0;        ///< the primitive that had the sample until then; 0 = none
 };
 

@@ -18,6 +18,7 @@ FragmentFate FragmentReplay::pass(uint32_t primitive) {
   const bool alpha = state.alphaToCoverageEnable && buffer_.size() > 3;
   const auto x = static_cast<int32_t>(query_.x), y = static_cast<int32_t>(query_.y);
   const uint32_t covered = alpha || shaderMask_.writes() ? values_.coveredSamples(x, y) & state.sampleMask : 0;
+  if (shaderMask_.writes()) fate.shaderMask = shaderMask_.written(query_.sample, covered);
   if (alpha) {
     values_.fragment({x, y, query_.sample, covered}, buffer_.data());
     fate.alpha = buffer_[3].value;

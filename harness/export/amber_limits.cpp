@@ -25,7 +25,9 @@ Result<void> checkState(const State& state) {
   if (state.stippledLineEnable) return unsayable("state.stippledLineEnable", "its lines are whole");
   if (state.negativeOneToOne) return unsayable("state.negativeOneToOne", "depths go from 0 to 1");
   if (state.depthClipEnable.has_value()) return unsayable("state.depthClipEnable", "it is always the opposite of depthClampEnable");
-  if (state.shaderSampleMask != ShaderSampleMask::NONE) return unsayable("state.shaderSampleMask", "its shaders here write no sample mask");
+  if (state.shaderSampleMask != ShaderSampleMask::NONE) {
+    return fail(ErrorCode::BadInput, "state.shaderSampleMask", "the shaders of an exported script write no sample mask");
+  }
   if (state.alphaToCoverageEnable) return unsayable("state.alphaToCoverageEnable", "alpha keeps no samples");
   return {};
 }

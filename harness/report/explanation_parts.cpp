@@ -135,7 +135,7 @@ std::string fateText(const PrimitiveExplanation& e, bool depth) {
     case FragmentFate::End::NotCovered: return {};
     case FragmentFate::End::OutsideScissor: return "inside, but outside of the scissor";
     case FragmentFate::End::Masked: return "covered, but the sample mask drops it" + depths;
-    case FragmentFate::End::ShaderMasked: return "covered, but the mask that the shader writes drops it" + depths;
+    case FragmentFate::End::ShaderMasked: return fmt::format("covered, but the mask {:#x} that the shader writes drops it", fate.shaderMask) + depths;
     case FragmentFate::End::AlphaDropped: return fmt::format("covered, but an alpha of {} drops it", fate.alpha) + depths;
     case FragmentFate::End::DepthFailed:
       return fmt::format("covered, but depth {} fails against the stored {}", fate.depth, fate.stored);

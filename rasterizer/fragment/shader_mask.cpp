@@ -47,9 +47,13 @@ uint32_t ShaderMask::mistaken(uint32_t bits) const {
   }
 }
 
+uint32_t ShaderMask::written(uint32_t sample, uint32_t covered) const {
+  if (kind_ == ShaderSampleMask::CONSTANT) return bits_;
+  return ((shading_.perSample ? 1U << sample : covered) << 1) & bits_;
+}
+
 bool ShaderMask::nominallyKeeps(uint32_t sample, uint32_t covered) const {
-  const Coverage coverage = keeps(sample, covered, covered);
-  return coverage == Coverage::In || (coverage == Coverage::Either && !shading_.perSample);
+  return !writes() || (written(sample, covered & all_) >> sample & 1U) != 0;
 }
 
 Coverage ShaderMask::keeps(uint32_t sample, uint32_t certain, uint32_t possible) const {

@@ -29,6 +29,8 @@ class ShaderMask {
   /// until the next call, is what the nominal mask leaves of them.
   [[nodiscard]] std::span<const RowSpan> kept(std::span<const RowSpan> covered);
 
+  /// What the invocation that shades `sample` writes, of a fragment that covers the samples `covered`.
+  [[nodiscard]] uint32_t written(uint32_t sample, uint32_t covered) const;
   /// Is `sample` kept, of a fragment that covers the samples `covered`?
   [[nodiscard]] bool nominallyKeeps(uint32_t sample, uint32_t covered) const;
   /// Must it be, may it be, of one that covers it, at least the samples `certain` and at most those of `possible`?

@@ -88,6 +88,15 @@ void addStages(Family& family) {
     scene.builtIns = {BuiltIn::SampleMask};
     return scene;
   });
+  family.add("shifted-offset", "interpolateAtOffset is no sample shading: the input has all samples of the fragment", {"R19", "R24", "R40", "R48"}, [] {
+    Scene scene = square(1, 4);
+    scene.state.shaderSampleMask = INPUT_SHIFTED;
+    scene.viewport = {0, 0, 2, 2, 0, 1};  // of which the target is one quarter, wholly covered
+    drawClip(scene, {{-1, -1, 0.5f, 1}, {1, -1, 0.5f, 1}, {-1, 1, 0.5f, 1}});
+    addVarying(scene, "offset", Interpolation::offset, 1);
+    for (Varying& varying : scene.draws[0].varyings) varying.offsetX = varying.offsetY = 0.25f;
+    return scene;
+  });
   family.add("alpha", "alpha to coverage of what the mask leaves", {"R40", "R41"}, [] {
     Scene scene = writing(4, CONSTANT, 0x5);
     setAlpha(scene, {1});

@@ -156,6 +156,11 @@ TEST(ShaderMask, IsNamedByExplain) {
   ASSERT_EQ(e->primitives.size(), 1U);
   EXPECT_EQ(e->primitives[0].decidedBy, Rule::ShaderSampleMask);
   EXPECT_EQ(e->primitives[0].fate.end, FragmentFate::End::ShaderMasked);
+  EXPECT_EQ(e->primitives[0].fate.shaderMask, 0x6U);
+  const Result<SampleExplanation> shifted = explain(writing(ShaderSampleMask::INPUT_SHIFTED, 0xB), testing::referenceRules(), {1, 1, 1});
+  ASSERT_TRUE(shifted);
+  EXPECT_EQ(shifted->primitives[0].fate.end, FragmentFate::End::Written);
+  EXPECT_EQ(shifted->primitives[0].fate.shaderMask, 0xAU);
 }
 
 }  // namespace
