@@ -48,7 +48,10 @@ void DrawBatches(std::span<const SnappedTriangle> triangles, const SpanTarget& t
     const SnappedTriangle* HWY_RESTRICT t = triangles.data() + first;
     b.Clear();
     size_t i = 0;
-    for (; i + kLanes <= size; i += kLanes) SetUp<kSamples>(t + i, i, target, b);
+    for (; i + kLanes <= size; i += kLanes) {
+      PrefetchAhead(t + i);
+      SetUp<kSamples>(t + i, i, target, b);
+    }
     if (i < size) {
       SnappedTriangle rest[kLanes] = {};  // the others have no area
       std::copy(t + i, t + size, rest);

@@ -145,6 +145,15 @@ HWY_INLINE void SortByY(Corners& c, int i, int j) {
   c.y[i] = low, c.y[j] = high, c.x[i] = xi, c.x[j] = xj;
 }
 
+/// Fetches what a later turn of a loop over kLanes triangles will load. A processor does not: the loop pauses for each batch that
+/// is drawn. Behind the last triangle it does nothing.
+template <class T>
+HWY_INLINE void PrefetchAhead(const T* from, size_t each = 1) {
+  constexpr size_t kAhead = 128, kLine = 64;  // triangles, bytes
+  const auto* at = reinterpret_cast<const char*>(from + kAhead * each);
+  for (size_t byte = 0; byte < kLanes * each * sizeof(T); byte += kLine) __builtin_prefetch(at + byte);
+}
+
 HWY_INLINE void StoreInt(V v, int32_t* HWY_RESTRICT to) { hn::Store(hn::DemoteTo(DI(), v), DI(), to); }
 
 /// Appends the lanes of `mask`, without a branch; `list` has room for kLanes more than it holds.
