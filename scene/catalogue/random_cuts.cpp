@@ -1,4 +1,4 @@
-// Seeded random primitives that are cut: by the view volume, by distances, by a scissor; and culled by their facing.
+// Seeded random primitives that are cut: by the view volume, by distances, by a scissor, by masks; and culled by their facing.
 #include "scene/catalogue/random_primitives.hpp"
 #include "scene/generators/random_state.hpp"
 
@@ -144,6 +144,34 @@ void addScissors(Entries& entries, uint64_t& seed) {
   }
 }
 
+void addMasks(Entries& entries, uint64_t& seed) {
+  Family family(entries, "random-masks");
+  const auto add = [&](const char* name, std::vector<std::string> rules, std::function<Scene(uint64_t, uint32_t)> make) {
+    rules.emplace_back("R40");
+    family.addRandom(name, "what a written mask, and that of the pipeline, leave", std::move(rules), ++seed, kPrimitives,
+                     [make = std::move(make)](uint64_t s, uint32_t n) {
+                       Scene scene = make(s, n);
+                       giveMasks(scene, s);
+                       return scene;
+                     });
+  };
+  add("triangles-4x", {"R14", "R24"}, [](uint64_t s, uint32_t n) { return someTriangles(s, n, 4); });
+  add("persp-4x", {"R14", "R24"}, [](uint64_t s, uint32_t n) { return someTriangles(s, n, 4, true); });
+  add("cut-4x", {"R3", "R24"}, [](uint64_t s, uint32_t n) {
+    Scene scene = someTriangles(s, n, 4);
+    spreadOut(scene, 2);
+    return scene;
+  });
+  add("shaded-4x", {"R14", "R19"}, [](uint64_t s, uint32_t n) {
+    Scene scene = someTriangles(s, n, 4);
+    scene.state.sampleShadingEnable = true;
+    scene.state.minSampleShading = 1;
+    return scene;
+  });
+  add("triangles-1x", {"R14"}, [](uint64_t s, uint32_t n) { return someTriangles(s, n, 1); });
+  add("points-4x", {"R24", "R25"}, [](uint64_t s, uint32_t n) { return somePoints(s, n, 4); });
+}
+
 }  // namespace
 
 void addRandomCuts(Entries& entries) {
@@ -152,6 +180,7 @@ void addRandomCuts(Entries& entries) {
   addDistances(entries, seed);
   addFacings(entries, seed);
   addScissors(entries, seed);
+  addMasks(entries, seed);
 }
 
 }  // namespace rasterdiff::families

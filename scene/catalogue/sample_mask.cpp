@@ -29,6 +29,13 @@ void addSampleMask(Entries& entries) {
     useDepth(scene);
     return scene;
   });
+  family.add("bresenham-4x", "the mask takes samples of Bresenham lines, which cover whole pixels", {"R31", "R40"}, [] {
+    Scene scene = square(16, 4);
+    useLines(scene, LineRasterizationMode::BRESENHAM);
+    scene.state.sampleMask = 0xD;
+    draw(scene, {{1.25, 2.5}, {14.75, 8.25}});
+    return scene;
+  });
   family.add("values", "a mask does not move where values are evaluated from the primitive", {"R20", "R40"}, [] {
     Scene scene = masked(4, 0x3);
     addVarying(scene, "smooth", Interpolation::smooth, 2);

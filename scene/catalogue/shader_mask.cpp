@@ -164,6 +164,15 @@ void addFigures(Family& family) {
     draw(scene, {{3.5, 4.25}, {28.25, 13}, {5.5, 27}, {25.75, 18.5}}).shaderSampleMaskBits = 0x9;
     return scene;
   });
+  for (const ShaderSampleMask mask : {CONSTANT, INPUT_SHIFTED}) {
+    family.add(mask == CONSTANT ? "bresenham" : "bresenham-shifted", "every sample of a Bresenham line's pixels has its own bit", {"R24", "R31", "R40"}, [mask] {
+      Scene scene = square(16, 4);
+      useLines(scene, LineRasterizationMode::BRESENHAM);
+      scene.state.shaderSampleMask = mask;
+      draw(scene, {{1.25, 2.5}, {14.75, 8.25}}).shaderSampleMaskBits = 0xB;
+      return scene;
+    });
+  }
 }
 
 }  // namespace

@@ -73,6 +73,14 @@ void giveScissor(Scene& scene, uint64_t seed) {
   scene.scissor = rect;
 }
 
+void giveMasks(Scene& scene, uint64_t seed) {
+  Prng random(seed);
+  const uint32_t all = (1U << scene.target.samples) - 1;
+  scene.state.shaderSampleMask = random.chance(50) ? ShaderSampleMask::CONSTANT : ShaderSampleMask::INPUT_SHIFTED;
+  for (Draw& draw : scene.draws) draw.shaderSampleMaskBits = 1 + random.below(all);
+  if (random.chance(50)) scene.state.sampleMask = 1 + random.below(all);
+}
+
 void giveViewport(Scene& scene, uint64_t seed) {
   Prng random(seed);
   const double width = scene.target.width, height = scene.target.height;

@@ -25,6 +25,9 @@ void giveCulling(Scene& scene, uint64_t seed);
 /// A scissor rectangle inside the target; one in eight is a single pixel, row or column.
 void giveScissor(Scene& scene, uint64_t seed);
 
+/// A shader that writes a sample mask, of one bit at least, or that of its input; every other scene has a pSampleMask as well.
+void giveMasks(Scene& scene, uint64_t seed);
+
 /// A viewport with a fractional origin and size that reaches over borders of the target; every other one is flipped,
 /// and one in three has a reversed or partial depth range.
 void giveViewport(Scene& scene, uint64_t seed);

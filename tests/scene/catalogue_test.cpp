@@ -63,7 +63,7 @@ TEST(Catalogue, HasEveryFamilyAndNoNameTwice) {
       "resolve",        "supersample",     "polygon",       "random-lines",  "random-points", "crowd",
       "found",          "sample-locations", "line-smooth",
       "random-strips",  "random-clip",     "random-edges",  "random-corners", "random-depth", "random-line-strips",
-      "shader-mask",    "random-facing",  "random-scissor",  "random-viewport", "random-distances"};
+      "shader-mask",    "random-masks",    "random-facing",  "random-scissor",  "random-viewport", "random-distances"};
   for (const char* family : kFamilies) EXPECT_GE(families[family], 3u) << family;
   EXPECT_EQ(families.size(), std::size(kFamilies));
 }
