@@ -5,6 +5,7 @@
 
 #include "rasterizer/choice_table.hpp"
 #include "rasterizer/depth/largest_depth.hpp"
+#include "rasterizer/fragment/plane_corners.hpp"
 #include "rasterizer/lines/smooth_line.hpp"
 #include "rasterizer/sample_pattern.hpp"
 #include "rasterizer/shape.hpp"
@@ -62,22 +63,8 @@ bool PieceValues::setUpCurrent(const Primitive& primitive, const SetupTriangle* 
 
 // [choice:plane-positions]
 TrianglePlane PieceValues::planeOf(const Corners& v) const {
-  std::array<FramebufferPosition, 3> corners;
-  double deviation = 0;
-  const bool snaps = rules_.choices.planePositions != PlanePositions::Unsnapped && !rules_.open;
-  const bool either = isOpen(rules_, Choice::PlanePositions) && !rules_.open;
-  for (size_t i = 0; i < 3; ++i) {
-    corners[i] = v[i]->position;
-    const double x = v[i]->snapped.x / double{kSubpixelOne}, y = v[i]->snapped.y / double{kSubpixelOne};
-    if (snaps) {
-      corners[i].x = x;
-      corners[i].y = y;
-      continue;
-    }
-    deviation = std::max(deviation, v[i]->deviation);
-    if (either) deviation = std::max({deviation, std::fabs(corners[i].x - x), std::fabs(corners[i].y - y)});
-  }
-  return {corners, deviation};
+  const PlaneCorners placed = planeCorners(PlanePlaces(rules_), v);
+  return {placed.corners, placed.deviation};
 }
 
 // [vk:primsrast-polygons] A device need not cut what it can draw: the planes may be those of the whole triangle.

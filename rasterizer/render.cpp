@@ -10,7 +10,7 @@
 #include "rasterizer/figure_verdict.hpp"
 #include "rasterizer/frame_writer.hpp"
 #include "rasterizer/freedom_band.hpp"
-#include "rasterizer/kernel_coverage.hpp"
+#include "rasterizer/kernel_frame.hpp"
 #include "rasterizer/lines/line_coverage.hpp"
 #include "rasterizer/mistakes/mistaken_scene.hpp"
 #include "rasterizer/sample_grid.hpp"
@@ -23,13 +23,11 @@ namespace {
 
 class Renderer {
  public:
-  Renderer(const Scene& scene, const Rules& rules, std::vector<SubpixelPosition> pattern, RuleCounts& counts, bool counted)
+  Renderer(const Scene& scene, const Rules& rules, std::vector<SubpixelPosition> pattern, RuleCounts& counts)
       : scene_(scene),
         rules_(rules),
         counts_(counts),
-        counted_(counted),
         pattern_(pattern),
-        kernel_(KernelCoverage::of(scene, rules, pattern)),
         whole_(wholeTarget(scene)),
         values_(scene, needsOf(scene), rules, &counts),
         writer_(scene, needsOf(scene), rules, std::move(pattern), values_, counts),
@@ -47,10 +45,8 @@ class Renderer {
     if (primitive.folded) drawFolded(primitive);
     for (const SetupTriangle& piece : primitive.pieces) {
       if (piece.culled || primitive.folded) continue;
-      if (kernel_) kernel_->add(primitive, piece);
-      if (kernel_ && !counted_) continue;
       const Box box = boxOf(primitive, piece);
-      if (!kernel_) expect(box);
+      expect(box);
       values_.setUp(primitive, piece);
       writer_.beginPiece(primitive.number, values_);
       countInterpolation(primitive, drawPiece(primitive, piece, box));
@@ -61,11 +57,7 @@ class Renderer {
     if (open_ && !primitive.polygon.empty()) markBand(primitive);
   }
 
-  Frame take() {
-    Frame frame = writer_.take(values_);
-    if (kernel_) kernel_->drawInto(frame, counts_);
-    return frame;
-  }
+  Frame take() { return writer_.take(values_); }
 
  private:
   static constexpr int32_t kExpectedRows = 16;  // of taller pieces the processor fetches the rest by itself
@@ -110,13 +102,14 @@ class Renderer {
         const RowSpan columns = writable.columns(y, pattern_[s]);
         span = {std::max(row.covered.begin, columns.begin), std::min(row.covered.end, columns.end)};
         counts_[Rule::Scissor] += static_cast<uint64_t>(row.covered.length() - span.length());
-        if (!span.empty()) counts_[Rule::HelperInvocation] += static_cast<uint64_t>((span.begin & 1) + (span.end & 1));
+        if (span.empty()) span = {};
+        counts_[Rule::HelperInvocation] += static_cast<uint64_t>((span.begin & 1) + (span.end & 1));
         some = some || !span.empty();
         unequal = unequal || span.begin != spans_[0].begin || span.end != spans_[0].end;
       }
       inside += static_cast<uint64_t>(covered);
       if (unequal) ++counts_[Rule::SamplePattern];
-      if (some && !kernel_) writer_.writeRow(primitive.number, values_, y, spans_);
+      if (some) writer_.writeRow(primitive.number, values_, y, spans_);
     }
     counts_[Rule::SampleCoverage] += inside;
     counts_[Rule::TieBreak] += ties;
@@ -248,9 +241,7 @@ class Renderer {
   const Scene& scene_;
   const Rules& rules_;
   RuleCounts& counts_;
-  const bool counted_;  // somebody reads the counts
   const std::vector<SubpixelPosition> pattern_;
-  std::optional<KernelCoverage> kernel_;
   const PixelArea whole_;
   std::vector<DrawingRegion> regions_;  // by viewport
   DrawingRegion region_;                // of the primitive being drawn
@@ -263,17 +254,20 @@ class Renderer {
 
 }  // namespace
 
-Result<Frame> render(const Scene& scene, const Rules& profile, RuleCounts* counts) {
+Result<Frame> render(const Scene& scene, const Rules& profile, RuleCounts* counts, unsigned threads) {
   const Rules rules = rulesFor(scene, profile);
   if (const Result<void> valid = validate(scene); !valid) return tl::unexpected<Error>(valid.error());
   if (scene.target.sampleLocations) return renderGrid(scene, rules, counts);
   Result<std::vector<SubpixelPosition>> pattern = samplePattern(scene.target.samples, rules);
   if (!pattern) return tl::unexpected<Error>(pattern.error());
+  if (const auto kernel = KernelFrame::of(scene, rules, *pattern)) {
+    if (std::optional<Frame> frame = kernel->draw(std::max(1U, threads), counts)) return std::move(*frame);
+  }
   RuleCounts own;
   RuleCounts& counting = counts != nullptr ? *counts : own;
   const std::optional<Scene> mistaken = mistakenScene(scene, rules.error);
   const Scene& drawn = mistaken ? *mistaken : scene;
-  Renderer renderer(drawn, rules, std::move(*pattern), counting, counts != nullptr);
+  Renderer renderer(drawn, rules, std::move(*pattern), counting);
   forEachPrimitive(drawn, rules, counting, [&](const Primitive& primitive) { renderer.draw(primitive); });
   return renderer.take();
 }

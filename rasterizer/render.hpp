@@ -16,9 +16,10 @@
 namespace rasterdiff::rasterizer {
 
 /// Renders `scene` under `rules`. Only the planes of `needsOf(scene)` are allocated, computed or stored; value bounds
-/// are there for every value plane; `coverage` only where `rules.open`.
+/// are there for every value plane; `coverage` only where `rules.open`. `threads`: the most that it may use, for large scenes;
+/// frame and counts are the same for any number.
 /// Error: an invalid scene (BadInput), or a sample count without standard locations (NotOffered).
-[[nodiscard]] Result<Frame> render(const Scene& scene, const Rules& rules, RuleCounts* counts = nullptr);
+[[nodiscard]] Result<Frame> render(const Scene& scene, const Rules& rules, RuleCounts* counts = nullptr, unsigned threads = 1);
 
 struct SampleQuery {
   uint32_t x = 0, y = 0, sample = 0;

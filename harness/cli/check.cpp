@@ -195,8 +195,9 @@ int runVerb(const CheckOptions& options) {
   PoolOptions pool;
   pool.workers = options.jobs > 0 ? options.jobs : coresToUse();
   pool.driverSeconds = watchdogSeconds(options.choice.timeoutSeconds);
+  const unsigned workers = std::min<unsigned>(pool.workers, static_cast<unsigned>(order.size()));
   const auto settings = [&](uint32_t job) {
-    CheckSettings chosen{pictured.contains(job), std::nullopt};
+    CheckSettings chosen{pictured.contains(job), std::nullopt, std::max(1U, coresToUse() / workers)};
     if (!options.dump.empty()) chosen.dump = options.dump;
     return chosen;
   };
@@ -210,7 +211,7 @@ int runVerb(const CheckOptions& options) {
   }
   report.stopped = outcome.stopped;
   report.notRun = outcome.notRun;
-  report.workers = std::min<unsigned>(pool.workers, static_cast<unsigned>(order.size()));
+  report.workers = workers;
   report.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return finish(options, *baseline, report);
 }

@@ -109,7 +109,7 @@ Result<void> drawAndCompare(SceneEntry& entry, const Job& job, Subject& subject,
   entering("reference");
   rasterizer::RuleCounts counts;
   const Stopwatch referenceWatch;
-  const Result<Frame> reference = rasterizer::render(*scene, rules, &counts);
+  const Result<Frame> reference = rasterizer::render(*scene, rules, &counts, settings.threads);
   seconds.reference = referenceWatch.seconds();
   if (!reference) return tl::unexpected(reference.error());
 

@@ -4,8 +4,8 @@
 // For each block `Farthest` is at least as far as any depth stored in it: drawing a block finds the farthest that it leaves
 // behind, and whatever others draw only comes nearer. A triangle is hidden in a block if neither its plane at the block's
 // corners nor its nearest vertex is nearer than that. What decides is conservative, so that the planes are bit for bit those
-// without blocks: pixels and corners are evaluated from the same a0, gx, gy in doubles, with at most 12 u S between them and the
-// real plane, S = |a0| + |gx| (|x0| + width) + |gy| (|y0| + height), u = 2^-53; the margin is 2^-48 S = 32 u S; and rounding to
+// without blocks: pixels and corners are evaluated from the same a0, gx, gy in doubles, in any order with at most 12 u S between them
+// and the real plane, S = |a0| + |gx| (|x0| + width) + |gy| (|y0| + height), u = 2^-53; the margin is 2^-48 S = 32 u S; and rounding to
 // float32 is monotone. Depths that are not numbers hide nothing, are passed by nothing and count for nothing.
 #if defined(RASTERDIFF_VALUE_BLOCKS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERDIFF_VALUE_BLOCKS_INL_H
@@ -65,10 +65,12 @@ struct DepthPlane {
   double a0, gx, gy, fromX, fromY;  // value = (a0 + gy (y + fromY)) + gx (x + fromX)
   double nearest;                   // no pixel is nearer
   double low, longLow;              // added to the value at the first pixel of a block, a long one: no pixel is nearer
+  double x0, y0, offsetX, offsetY;  // of the anchor and of the sample in its pixel: through corners
 };
 
 HWY_INLINE DepthPlane PlaneOf(const ValueView& view, const ValueBatch& b, size_t i, size_t s) {
-  DepthPlane p{b.a0[i], b.gx[i], b.gy[i], view.x[s] / 256 - b.x0[i], view.y[s] / 256 - b.y0[i], 0, 0, 0};
+  DepthPlane p{b.a0[i], b.gx[i], b.gy[i], view.x[s] / 256 - b.x0[i], view.y[s] / 256 - b.y0[i], 0, 0, 0,
+               b.x0[i], b.y0[i], view.x[s] / 256, view.y[s] / 256};
   const double sum = std::fabs(p.a0) + std::fabs(p.gx) * (std::fabs(b.x0[i]) + view.width + kBlock * kBlocksOfLong) +
                      std::fabs(p.gy) * (std::fabs(b.y0[i]) + view.endRow + kBlock);
   const double margin = 0x1p-48 * sum, down = std::min(p.gy * (kBlock - 1), 0.0) - margin;
@@ -109,14 +111,17 @@ HWY_INLINE Extent FindRows(const ValueBatch& b, size_t i, size_t s, double y, si
   return {hn::GetLane(hn::MinOfLanes(d, least)), hn::GetLane(hn::MaxOfLanes(d, most))};
 }
 
-/// Which of kLanes blocks of `width` pixels from `block` on may be seen: `row` is the plane's value at x = -fromX.
+/// Which of kLanes blocks of `width` pixels from `block` on may be seen: `row` is the plane's value at x = -fromX. Where meetings
+/// are counted, a depth that is met has to be seen.
+template <class P>
 HWY_INLINE M Seen(const DepthPlane& plane, double row, double low, size_t block, double width, const Extent& extent, const float* HWY_RESTRICT far) {
   const D d;
   const hn::Rebind<float, D> f;
   const V x = (hn::Iota(d, 0) + hn::Set(d, static_cast<double>(block))) * hn::Set(d, width);
   const V corner = hn::Set(d, row) + hn::Set(d, plane.gx) * (x + hn::Set(d, plane.fromX));
   const auto nearest = hn::DemoteTo(f, hn::Max(corner + hn::Set(d, low), hn::Set(d, plane.nearest)));
-  const M hidden = hn::Ge(hn::PromoteTo(d, nearest), hn::PromoteTo(d, hn::LoadU(f, far + block)));
+  const V here = hn::PromoteTo(d, nearest), there = hn::PromoteTo(d, hn::LoadU(f, far + block));
+  const M hidden = P::kCorners ? hn::Gt(here, there) : hn::Ge(here, there);
   const M touched = hn::And(hn::Lt(x, hn::Set(d, extent.to)), hn::Gt(x, hn::Set(d, extent.from - width)));
   return hn::AndNot(hidden, touched);
 }
@@ -149,9 +154,11 @@ HWY_INLINE void DrawSeen(const ValueView& target, const DepthPlane& plane, size_
     alignas(64) double start[kBlock];
     alignas(64) uint64_t bits[kBlock];
     for (size_t row = 0; row < kBlock; row += kLanes) {
-      const V left = hn::Set(d, x), r = NumbersFrom(d, y + static_cast<double>(row)) + hn::Set(d, plane.fromY);
+      const V left = hn::Set(d, x), pixelRow = NumbersFrom(d, y + static_cast<double>(row)), r = pixelRow + hn::Set(d, plane.fromY);
       hn::Store(BitsBetween(hn::Load(d, seen.begin[k] + row) - left, hn::Load(d, seen.end[k] + row) - left), du, bits + row);
-      hn::Store((hn::Set(d, plane.a0) + hn::Set(d, plane.gy) * r) + hn::Set(d, plane.gx * (plane.fromX + x)), d, start + row);
+      const V rise = hn::Set(d, plane.gy) * ((pixelRow + hn::Set(d, plane.offsetY)) - hn::Set(d, plane.y0));
+      const V chunk = (hn::Set(d, plane.a0) + hn::Set(d, plane.gy) * r) + hn::Set(d, plane.gx * (plane.fromX + x));
+      hn::Store(P::kCorners ? rise : chunk, d, start + row);
     }
     const size_t rows = std::min(kBlock, static_cast<size_t>(view.endRow) - kBlock * blockRow);
     size_t element = elementOf(seen.codes[n]);
@@ -159,7 +166,7 @@ HWY_INLINE void DrawSeen(const ValueView& target, const DepthPlane& plane, size_
     for (size_t row = 0; row < rows; ++row, element += rowElements)
       for (size_t first = 0; first < kBlock; first += kChunkLanes)
         most = hn::Max(WriteChunk<P>(view, element + first, ChunkMask(static_cast<uint32_t>(bits[row]) >> first),
-                                     ChunkDepth(start[row], plane.gx, first), number), most);
+                                     ChunkDepth<P>({start[row], plane.gx, plane.a0, plane.x0, plane.offsetX + x}, first), number), most);
     float* HWY_RESTRICT far = farthest.Row(blockRow, s);
     const auto here = hn::MaxOfLanes(f, most);
     if (kLong) {
@@ -177,8 +184,9 @@ HWY_INLINE void DrawSeen(const ValueView& target, const DepthPlane& plane, size_
 }
 
 /// Appends those of kLanes blocks that may be seen.
+template <class P>
 HWY_INLINE void AppendSeen(const DepthPlane& plane, double row, size_t block, const Extent& extent, const float* HWY_RESTRICT far, size_t k, SeenBlocks& seen) {
-  Append(NumbersFrom(DU(), block | k << 16), Seen(plane, row, plane.low, block, kBlock, extent, far), seen.codes, seen.size);
+  Append(NumbersFrom(DU(), block | k << 16), Seen<P>(plane, row, plane.low, block, kBlock, extent, far), seen.codes, seen.size);
 }
 
 }  // namespace HWY_NAMESPACE

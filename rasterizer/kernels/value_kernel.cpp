@@ -19,16 +19,20 @@ namespace HWY_NAMESPACE {
 template <class P>
 void SetUpBatch(const ValueTriangles& triangles, size_t first, size_t size, const ValueView& view, ValueBatch& b) {
   const SnappedTriangle* HWY_RESTRICT t = triangles.positions.data() + first;
-  const float* HWY_RESTRICT z = P::kDepth ? triangles.depth.data() + 3 * first : nullptr;
+  const float* HWY_RESTRICT z = P::kDepth && !P::kCorners ? triangles.depth.data() + 3 * first : nullptr;
+  const DepthCorners* HWY_RESTRICT corners = P::kCorners ? triangles.corners.data() + first : nullptr;
   b.size = 0;
   size_t i = 0;
-  for (; i + kLanes <= size; i += kLanes) SetUpValues<P::kDepth>(t + i, P::kDepth ? z + 3 * i : nullptr, i, view, b);
+  for (; i + kLanes <= size; i += kLanes)
+    SetUpValues<P::kDepth, P::kCorners>(t + i, z == nullptr ? nullptr : z + 3 * i, P::kCorners ? corners + i : nullptr, i, view, b);
   if (i == size) return;
   SnappedTriangle rest[kLanes] = {};  // the others have no area
   float restDepth[3 * kLanes] = {};
   std::copy(t + i, t + size, rest);
-  if (P::kDepth) std::copy(z + 3 * i, z + 3 * size, restDepth);
-  SetUpValues<P::kDepth>(rest, restDepth, i, view, b);
+  if (z != nullptr) std::copy(z + 3 * i, z + 3 * size, restDepth);
+  DepthCorners restCorners[P::kCorners ? kLanes : 1] = {};
+  if (P::kCorners) std::copy(corners + i, corners + size, restCorners);
+  SetUpValues<P::kDepth, P::kCorners>(rest, restDepth, restCorners, i, view, b);
 }
 
 template <class P>
@@ -37,7 +41,7 @@ DrawnArea DrawAll(const ValueTriangles& triangles, const ValueView& view) {
   Chunks chunks;
   Farthest farthest(view);
   for (size_t first = 0; first < triangles.positions.size(); first += ValueBatch::kSize) {
-    const auto number = static_cast<uint32_t>(first + 1);
+    const uint32_t number = view.before + static_cast<uint32_t>(first + 1);
     SetUpBatch<P>(triangles, first, std::min(ValueBatch::kSize, triangles.positions.size() - first), view, b);
     for (size_t k = 0; k < b.size; ++k) {
       const size_t i = b.places[k];
@@ -62,6 +66,7 @@ DrawnArea DrawAll(const ValueTriangles& triangles, const ValueView& view) {
 }
 
 DrawnArea DrawPlanes(const ValueTriangles& triangles, const ValueView& view) {
+  if (!triangles.corners.empty()) return DrawAll<Planes<true, true, true, true>>(triangles, view);
   const unsigned which = (view.primitive != nullptr ? 1 : 0) | (view.count != nullptr ? 2 : 0) | (view.depth != nullptr ? 4 : 0);
   switch (which) {
     case 1: return DrawAll<Planes<true, false, false>>(triangles, view);
@@ -105,9 +110,23 @@ ValueView valueView(ValueTarget& target, uint32_t firstRow, uint32_t endRow) {
   return v;
 }
 
+uint64_t drawBand(const ValueTriangles& triangles, ValueTarget& target, uint32_t firstRow, uint32_t endRow, uint32_t before) {
+  ValueView view = valueView(target, 0, target.height());
+  view.firstRow = firstRow, view.endRow = endRow;
+  view.before = before;
+  const size_t above = size_t{firstRow} * view.samples * view.stride;  // rows are addressed from the frame's first on
+  if (view.primitive != nullptr) view.primitive -= above;
+  if (view.count != nullptr) view.count -= above;
+  if (view.depth != nullptr) view.depth -= above;
+  uint64_t met = 0;
+  view.met = &met;
+  (void)HWY_DYNAMIC_DISPATCH(DrawPlanes)(triangles, view);
+  return met;
+}
+
 void drawValues(const ValueTriangles& triangles, ValueTarget& target, unsigned threads) {
   constexpr uint32_t kLeastRows = 16;  // of a band
-  const auto drawBand = [&](uint32_t firstRow, uint32_t endRow) {
+  const auto drawRows = [&](uint32_t firstRow, uint32_t endRow) {
     ValueView view = valueView(target, firstRow, endRow);
     view.shaded = !target.varyings.empty();
     const DrawnArea area = HWY_DYNAMIC_DISPATCH(DrawPlanes)(triangles, view);
@@ -117,8 +136,8 @@ void drawValues(const ValueTriangles& triangles, ValueTarget& target, unsigned t
   threads = std::min(threads, std::max(1u, target.height() / kLeastRows));
   std::vector<std::thread> workers;
   const auto bandStart = [&](unsigned k) { return k == threads ? target.height() : static_cast<uint32_t>(uint64_t{target.height()} * k / threads) / 8 * 8; };
-  for (unsigned k = 1; k < threads; ++k) workers.emplace_back(drawBand, bandStart(k), bandStart(k + 1));
-  drawBand(0, bandStart(1));
+  for (unsigned k = 1; k < threads; ++k) workers.emplace_back(drawRows, bandStart(k), bandStart(k + 1));
+  drawRows(0, bandStart(1));
   for (std::thread& worker : workers) worker.join();
 }
 

@@ -18,6 +18,12 @@ namespace rasterdiff::rasterizer {
 /// with the same triangles drew.
 void drawValues(const ValueTriangles& triangles, ValueTarget& target, unsigned threads = 1);
 
+/// Draws rows [firstRow, endRow) of all triangles, in order, into a target that begins there and is at least so high, without
+/// varyings; firstRow is a multiple of 8. Triangles may have `corners`: then the target has all three planes, with depths that equal the reference's bit
+/// for bit, and the number of fragments is returned that met exactly the depth of an earlier one (otherwise 0). `before`: how many
+/// triangles earlier calls drew; numbers go on from there.
+uint64_t drawBand(const ValueTriangles& triangles, ValueTarget& target, uint32_t firstRow, uint32_t endRow, uint32_t before);
+
 /// Bound on |double - exact| of a depth at point `p` (1/256 pixel), before it is rounded to float32: 2^-49 times the
 /// sum of the magnitudes that cancel in it. For |coordinates| <= 2^22; infinite where the triangle has no area.
 [[nodiscard]] double linearValueBound(const SnappedTriangle& triangle, SubpixelPosition p, const std::array<double, 3>& values);

@@ -34,10 +34,10 @@ HWY_NOINLINE void DrawLarge(const ValueView& view, const ValueBatch& b, size_t i
         const float* HWY_RESTRICT longFar = farthest.LongRow(blockRow, s);
         for (size_t block = static_cast<size_t>(extent.from) / kLong; static_cast<double>(kLong * block) < extent.to; block += kLanes) {
           uint8_t bits[8] = {};
-          hn::StoreMaskBits(d, Seen(plane, row, plane.longLow, block, kLong, extent, longFar), bits);
+          hn::StoreMaskBits(d, Seen<P>(plane, row, plane.longLow, block, kLong, extent, longFar), bits);
           for (uint32_t rest = bits[0] & ((1u << kLanes) - 1); rest != 0; rest &= rest - 1) {
             const size_t first = (block + static_cast<size_t>(std::countr_zero(rest))) * kBlocksOfLong;
-            for (size_t part = 0; part < kBlocksOfLong; part += kLanes) AppendSeen(plane, row, first + part, extent, far, blockRow - group, seen);
+            for (size_t part = 0; part < kBlocksOfLong; part += kLanes) AppendSeen<P>(plane, row, first + part, extent, far, blockRow - group, seen);
             if (HWY_UNLIKELY(seen.size > SeenBlocks::kSize - kBlocksOfLong)) DrawSeen<P, true>(view, plane, s, group, farthest, number, seen);
           }
         }

@@ -27,7 +27,7 @@ HWY_NOINLINE void DrawMedium(const ValueView& view, const ValueBatch& b, size_t 
         const double row = plane.a0 + plane.gy * (y + plane.fromY);
         const float* HWY_RESTRICT far = farthest.Row(blockRow, s);
         for (size_t block = static_cast<size_t>(extent.from) / kBlock; static_cast<double>(kBlock * block) < extent.to; block += kLanes) {
-          AppendSeen(plane, row, block, extent, far, blockRow - group, seen);
+          AppendSeen<P>(plane, row, block, extent, far, blockRow - group, seen);
           if (HWY_UNLIKELY(seen.size > SeenBlocks::kSize - kLanes)) DrawSeen<P, false>(view, plane, s, group, farthest, number, seen);
         }
       }

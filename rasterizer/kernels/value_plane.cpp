@@ -35,10 +35,22 @@ LinearPlane linearPlane(const SnappedTriangle& triangle, const std::array<double
   return {values[0], (d1 * e.y2 - d2 * e.y1) * q, (d2 * e.x1 - d1 * e.x2) * q, pixels(triangle.v[0].x), pixels(triangle.v[0].y)};
 }
 
+LinearPlane linearPlane(const DepthCorners& c) {
+  const double e1x = c.x[1] - c.x[0], e1y = c.y[1] - c.y[0], e2x = c.x[2] - c.x[0], e2y = c.y[2] - c.y[0];
+  const double d1 = c.z[1] - c.z[0], d2 = c.z[2] - c.z[0], determinant = e1x * e2y - e1y * e2x;
+  if (determinant == 0) return {c.z[0], 0, 0, c.x[0], c.y[0]};
+  return {c.z[0], (d1 * e2y - d2 * e1y) / determinant, (d2 * e1x - d1 * e2x) / determinant, c.x[0], c.y[0]};
+}
+
 void drawFarTriangle(const ValueTriangles& triangles, size_t place, const ValueView& view) {
   const SnappedTriangle& t = triangles.positions[place];
+  const bool ownCorners = !triangles.corners.empty();
   LinearPlane z;
-  if (view.depth != nullptr) z = linearPlane(t, {triangles.depth[3 * place], triangles.depth[3 * place + 1], triangles.depth[3 * place + 2]});
+  if (ownCorners) {
+    z = linearPlane(triangles.corners[place]);
+  } else if (view.depth != nullptr) {
+    z = linearPlane(t, {triangles.depth[3 * place], triangles.depth[3 * place + 1], triangles.depth[3 * place + 2]});
+  }
   const auto [top, bottom] = std::minmax({t.v[0].y, t.v[1].y, t.v[2].y});
   const int64_t first = std::max<int64_t>(static_cast<int64_t>(view.firstRow), top >> kSubpixelBits);
   const int64_t last = std::min<int64_t>(static_cast<int64_t>(view.endRow) - 1, bottom >> kSubpixelBits);
@@ -47,15 +59,17 @@ void drawFarTriangle(const ValueTriangles& triangles, size_t place, const ValueV
       const SampleLocation at{static_cast<uint8_t>(view.x[s] / kSampleUnit), static_cast<uint8_t>(view.y[s] / kSampleUnit)};
       const IntegerSpan span = integerSpan(t, y, at, static_cast<int64_t>(view.width));
       const size_t row = (static_cast<size_t>(y) * view.samples + s) * view.stride;
-      const double rowDepth = z.a0 + z.gy * (static_cast<double>(y) + view.y[s] / kSubpixelOne - z.y0);
+      const double rise = z.gy * (static_cast<double>(y) + view.y[s] / kSubpixelOne - z.y0), rowDepth = z.a0 + rise;
       for (int64_t x = span.begin; x < span.end; ++x) {
         const size_t i = row + static_cast<size_t>(x);
         if (view.depth != nullptr) {
-          const auto depth = static_cast<float>(rowDepth + z.gx * (static_cast<double>(x) + view.x[s] / kSubpixelOne - z.x0));
+          const double alongX = z.gx * (static_cast<double>(x) + view.x[s] / kSubpixelOne - z.x0);
+          const auto depth = static_cast<float>(ownCorners ? (z.a0 + alongX) + rise : rowDepth + alongX);
+          if (view.met != nullptr && depth == view.depth[i] && view.primitive[i] != 0) ++*view.met;
           if (!(depth < view.depth[i])) continue;
           view.depth[i] = depth;
         }
-        if (view.primitive != nullptr) view.primitive[i] = static_cast<uint32_t>(place + 1);
+        if (view.primitive != nullptr) view.primitive[i] = view.before + static_cast<uint32_t>(place + 1);
         if (view.count != nullptr) ++view.count[i];
       }
     }

@@ -22,14 +22,15 @@ inline constexpr size_t kChunk = 8;  // pixels
 struct Chunks {
   static constexpr size_t kSize = 1024, kRoom = kSize - 16, kAhead = 64;
   uint64_t codes[kSize + kAhead] = {};
-  double depth[kSize];  // at the chunk's first pixel
+  double depth[kSize];   // at the chunk's first pixel; through corners: gy (y - y0)
+  double column[kSize];  // through corners: x of the first pixel's sample
   size_t size = 0;
 };
 
-/// Which planes are written.
-template <bool kPrimitiveV, bool kCountV, bool kDepthV>
+/// Which planes are written, and whether depth planes go through DepthCorners, with meetings counted.
+template <bool kPrimitiveV, bool kCountV, bool kDepthV, bool kCornersV = false>
 struct Planes {
-  static constexpr bool kPrimitive = kPrimitiveV, kCount = kCountV, kDepth = kDepthV;
+  static constexpr bool kPrimitive = kPrimitiveV, kCount = kCountV, kDepth = kDepthV, kCorners = kCornersV;
 };
 
 #if HWY_TARGET <= HWY_AVX3
@@ -50,17 +51,27 @@ HWY_INLINE hn::Mask<ChunkF> ChunkMask(uint32_t bits) {
 #endif
 }
 
+/// What the depths of a chunk come from. a0, x0 and column (x of the first pixel's sample): only through corners.
+struct ChunkPlane {
+  double chunk, gx, a0, x0, column;
+};
+
 /// Depth of pixels [first, first + kChunkLanes) of a chunk.
-HWY_INLINE hn::Vec<ChunkF> ChunkDepth(double chunk, double gx, size_t first) {
+template <class P>
+HWY_INLINE hn::Vec<ChunkF> ChunkDepth(const ChunkPlane& p, size_t first) {
   const D d;
+  const auto at = [&](V i) {
+    if (!P::kCorners) return hn::Set(d, p.chunk) + hn::Set(d, p.gx) * i;
+    return (hn::Set(d, p.a0) + hn::Set(d, p.gx) * ((hn::Set(d, p.column) + i) - hn::Set(d, p.x0))) + hn::Set(d, p.chunk);
+  };
 #if HWY_TARGET <= HWY_AVX3
   (void)first;
-  return hn::DemoteTo(ChunkF(), hn::Set(d, chunk) + hn::Set(d, gx) * hn::Iota(d, 0));
+  return hn::DemoteTo(ChunkF(), at(hn::Iota(d, 0)));
 #else
   const hn::Rebind<float, D> part;
   alignas(16) float depth[4 + kLanes];
   for (size_t k = 0; k < kChunkLanes; k += kLanes)
-    hn::Store(hn::DemoteTo(part, hn::Set(d, chunk) + hn::Set(d, gx) * hn::Iota(d, static_cast<double>(first + k))), part, depth + k);
+    hn::Store(hn::DemoteTo(part, at(hn::Iota(d, static_cast<double>(first + k)))), part, depth + k);
   return hn::Load(ChunkF(), depth);
 #endif
 }
@@ -73,6 +84,13 @@ HWY_INLINE hn::Vec<ChunkF> WriteChunk(const ValueView& view, size_t i, hn::Mask<
   const ChunkU du;
   if (P::kDepth) {
     const auto old = hn::LoadU(df, view.depth + i);
+    if (P::kCorners) {
+      const auto alike = hn::And(mask, hn::Eq(depth, old));
+      if (HWY_UNLIKELY(!hn::AllFalse(df, alike))) {
+        const auto drawn = hn::Ne(hn::LoadU(du, view.primitive + i), hn::Zero(du));
+        *view.met += hn::CountTrue(du, hn::And(hn::RebindMask(du, alike), drawn));
+      }
+    }
     mask = hn::And(mask, hn::Lt(depth, old));
     depth = hn::IfThenElse(mask, depth, old);
     hn::StoreU(depth, df, view.depth + i);
@@ -107,7 +125,10 @@ HWY_NOINLINE void DrawChunks(const ValueView& target, const ValueBatch& b, Chunk
     const auto bits = static_cast<uint32_t>(code >> 40 & 0xFF);
     for (size_t first = 0; first < kChunk; first += kChunkLanes) {
       hn::Vec<ChunkF> depth = hn::Zero(ChunkF());
-      if (P::kDepth) depth = ChunkDepth(chunks.depth[k], b.gx[place], first);
+      ChunkPlane plane{};
+      if (P::kDepth) plane.chunk = chunks.depth[k], plane.gx = b.gx[place];
+      if (P::kCorners) plane.a0 = b.a0[place], plane.x0 = b.x0[place], plane.column = chunks.column[k];
+      if (P::kDepth) depth = ChunkDepth<P>(plane, first);
       WriteChunk<P>(view, element + first, ChunkMask(bits >> first), depth, number + static_cast<uint32_t>(place));
     }
   }
@@ -150,15 +171,23 @@ HWY_INLINE void FindChunks(const ValueView& view, const ValueBatch& b, size_t i,
       M more = hn::And(hn::Lt(begin, end), hn::Lt(r, endRow));
       const V element = hn::MulAdd(r, hn::Set(d, rowElements), hn::Set(d, static_cast<double>(s * view.stride))) + two52;
       V rowDepth = hn::Zero(d);
-      if (P::kDepth)
+      if (P::kCorners) {
+        rowDepth = hn::Set(d, b.gy[i]) * ((r + hn::Set(d, view.y[s] / 256)) - hn::Set(d, b.y0[i]));
+      } else if (P::kDepth) {
         rowDepth = hn::Set(d, b.a0[i]) + hn::Set(d, b.gy[i]) * (r + hn::Set(d, view.y[s] / 256 - b.y0[i]));
-      const V fromAnchor = hn::Set(d, P::kDepth ? view.x[s] / 256 - b.x0[i] : 0);
+      }
+      const V fromAnchor = hn::Set(d, P::kDepth ? view.x[s] / 256 - (P::kCorners ? 0 : b.x0[i]) : 0);
       do {
         const auto bits = hn::ShiftLeft<40>(BitsBetween(begin - column, end - column));
         const auto code = hn::Or(hn::Or(hn::And(hn::BitCast(du, element + column), low40), bits), place);
         size_t size = chunks.size;
-        if (P::kDepth)
+        if (P::kCorners) {
+          Append(hn::BitCast(du, fromAnchor + column), more, reinterpret_cast<uint64_t*>(chunks.column), size);
+          size = chunks.size;
+          Append(hn::BitCast(du, rowDepth), more, reinterpret_cast<uint64_t*>(chunks.depth), size);
+        } else if (P::kDepth) {
           Append(hn::BitCast(du, rowDepth + hn::Set(d, b.gx[i]) * (fromAnchor + column)), more, reinterpret_cast<uint64_t*>(chunks.depth), size);
+        }
         Append(code, more, chunks.codes, chunks.size);
         if (HWY_UNLIKELY(chunks.size > Chunks::kRoom)) DrawChunks<P>(view, b, chunks, number);
         column = column + eight;

@@ -12,6 +12,9 @@
 //   M = |a0| + Gx (|x - x0| + 14) + Gy |y - y0|,   so |error| <= 6u M + 3u M < 2^-49 M: linearValueBound.
 // The float32 is that double rounded once: half a unit in the last place more. No operation is fused, so that every
 // instruction set rounds alike; a pixel's value depends on nothing but its triangle.
+//
+// Planes through DepthCorners are those of the reference, operation by operation, so that both have the same bits: gradients are
+// divided by det, and the value at a sample is (a0 + gx (x - x0)) + gy (y - y0).
 #if defined(RASTERDIFF_VALUE_SETUP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RASTERDIFF_VALUE_SETUP_INL_H
 #undef RASTERDIFF_VALUE_SETUP_INL_H
@@ -20,6 +23,7 @@
 #endif
 
 #include <algorithm>
+#include <limits>
 
 #include "hwy/highway.h"
 #include "rasterizer/kernels/span_setup-inl.h"
@@ -65,10 +69,29 @@ HWY_INLINE DrawnArea AreaOf(const ValueBatch& b) {
           std::any_of(b.anyFar, b.anyFar + kLanes, [](uint64_t far) { return far != 0; })};
 }
 
-/// Sets up the kLanes triangles from `t` as places `base` and following; `depth` (three a triangle) only if kDepth.
-template <bool kDepth>
-HWY_INLINE void SetUpValues(const SnappedTriangle* HWY_RESTRICT t, const float* HWY_RESTRICT depth, size_t base,
-                            const ValueView& view, ValueBatch& b) {
+HWY_INLINE void SetUpCornerPlanes(const DepthCorners* HWY_RESTRICT corners, size_t base, ValueBatch& b) {
+  const D d;
+  alignas(64) double x[3][kLanes], y[3][kLanes], z[3][kLanes];
+  for (size_t lane = 0; lane < kLanes; ++lane)
+    for (size_t i = 0; i < 3; ++i) x[i][lane] = corners[lane].x[i], y[i][lane] = corners[lane].y[i], z[i][lane] = corners[lane].z[i];
+  const V x0 = hn::Load(d, x[0]), y0 = hn::Load(d, y[0]), a0 = hn::Load(d, z[0]);
+  const V e1x = hn::Load(d, x[1]) - x0, e1y = hn::Load(d, y[1]) - y0, e2x = hn::Load(d, x[2]) - x0, e2y = hn::Load(d, y[2]) - y0;
+  const V d1 = hn::Load(d, z[1]) - a0, d2 = hn::Load(d, z[2]) - a0, determinant = e1x * e2y - e1y * e2x;
+  const M inLine = hn::Eq(determinant, hn::Zero(d));
+  hn::Store(a0, d, b.a0 + base);
+  hn::Store(hn::IfThenZeroElse(inLine, (d1 * e2y - d2 * e1y) / determinant), d, b.gx + base);
+  hn::Store(hn::IfThenZeroElse(inLine, (d2 * e1x - d1 * e2x) / determinant), d, b.gy + base);
+  hn::Store(x0, d, b.x0 + base);
+  hn::Store(y0, d, b.y0 + base);
+  // Samples of the triangle may lie outside of the corners.
+  hn::Store(hn::Set(d, -std::numeric_limits<double>::infinity()), d, b.nearest + base);
+}
+
+/// Sets up the kLanes triangles from `t` as places `base` and following; `depth` (three a triangle) only if kDepth, `corners`
+/// instead of it if kCorners.
+template <bool kDepth, bool kCorners>
+HWY_INLINE void SetUpValues(const SnappedTriangle* HWY_RESTRICT t, const float* HWY_RESTRICT depth, const DepthCorners* HWY_RESTRICT corners,
+                            size_t base, const ValueView& view, ValueBatch& b) {
   const D d;
   const Corners given = LoadCorners(t);
   Corners c = given;
@@ -107,7 +130,8 @@ HWY_INLINE void SetUpValues(const SnappedTriangle* HWY_RESTRICT t, const float* 
   };
   store(b.slope, dxA * qA, hn::IfThenElse(flatTop, steep, dxB * qB), hn::IfThenElse(flatBottom, hn::Neg(steep), dxC * qC));
 
-  if (kDepth) {
+  if (kCorners) SetUpCornerPlanes(corners, base, b);
+  if (kDepth && !kCorners) {
     const V e1x = given.x[1] - given.x[0], e1y = given.y[1] - given.y[0];
     const V e2x = given.x[2] - given.x[0], e2y = given.y[2] - given.y[0];
     const V q = hn::Set(d, 256.0) / (e1x * e2y - e1y * e2x);

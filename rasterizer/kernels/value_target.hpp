@@ -2,6 +2,7 @@
 // only the needed ones exist. Drawing is in value_kernel.hpp.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <new>
@@ -18,6 +19,11 @@ inline constexpr uint32_t kMaxValueComponents = 16;
 
 enum class ValueKind : uint8_t { Flat, Noperspective, Perspective };
 
+/// Where a triangle's depth plane is laid, pixels: unlike the triangle, not on any grid.
+struct DepthCorners {
+  std::array<double, 3> x{}, y{}, z{};
+};
+
 /// Triangles in drawing order. Empty spans where the target has no plane that needs them.
 struct ValueTriangles {
   std::span<const SnappedTriangle> positions;
@@ -25,6 +31,7 @@ struct ValueTriangles {
   std::span<const float> reciprocalW;  ///< three a triangle: 1 / w at its vertices, > 0; for perspective components
   std::span<const float> values;       ///< [triangle][vertex][component]
   std::span<const ValueKind> kinds;    ///< one a component; flat ones take the value of vertex 0
+  std::span<const DepthCorners> corners = {};  ///< one a triangle, instead of `depth`: drawBand only
 };
 
 /// Which planes a target has. Depth is tested by LESS and written.

@@ -14,6 +14,8 @@ struct ValueView {
   uint32_t* primitive = nullptr;
   uint32_t* count = nullptr;
   float* depth = nullptr;
+  uint32_t before = 0;        ///< triangles of earlier lists: the first one's number less 1
+  uint64_t* met = nullptr;    ///< of planes through DepthCorners: counts fragments with exactly the depth that another one left
   bool shaded = false;        ///< there are varyings: what is drawn where is wanted
   double width = 0, firstRow = 0, endRow = 0;  ///< pixels
   size_t samples = 1, stride = 0;
@@ -38,6 +40,10 @@ struct LinearPlane {
   double a0 = 0, gx = 0, gy = 0, x0 = 0, y0 = 0;
 };
 [[nodiscard]] LinearPlane linearPlane(const SnappedTriangle& triangle, const std::array<double, 3>& values);
+
+/// The same through corners that are on no grid: gradients that are divided, not multiplied by a reciprocal; none where the
+/// corners are in line.
+[[nodiscard]] LinearPlane linearPlane(const DepthCorners& corners);
 
 /// Draws one triangle with any int32 vertices: triangle `place` of the list, without varyings.
 void drawFarTriangle(const ValueTriangles& triangles, size_t place, const ValueView& view);

@@ -1,0 +1,142 @@
+// The fast kernels behind render draw the frame, and count the rules, that drawing triangle by triangle does: for any number of
+// threads and any instruction set.
+#include "rasterizer/kernel_frame.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "kernels/every_target.hpp"
+#include "rasterizer/render.hpp"
+#include "rasterizer/sample_pattern.hpp"
+#include "scene/catalogue/catalogue.hpp"
+
+namespace rasterdiff::rasterizer {
+namespace {
+
+bool served(const Scene& scene, const Rules& rules) {
+  return KernelFrame::of(scene, rules, samplePattern(scene.target.samples, rules).value()).has_value();
+}
+
+/// The same scene with a varying, which only the slow way draws.
+Scene withInput(Scene scene) {
+  for (Draw& draw : scene.draws) draw.varyings = {{.name = "v", .components = 1, .values = std::vector<float>(draw.positions.size())}};
+  return scene;
+}
+
+Scene withoutInputs(Scene scene) {
+  for (Draw& draw : scene.draws) draw.varyings.clear();
+  scene.builtIns.clear();
+  return scene;
+}
+
+Scene withDepth(Scene scene) {
+  scene.target.depthFormat = DepthFormat::D32_SFLOAT;
+  scene.state.depthTestEnable = scene.state.depthWriteEnable = true;
+  scene.state.depthCompareOp = CompareOp::LESS;
+  return scene;
+}
+
+template <class T>
+void expectSameBits(const Plane<T>& a, const Plane<T>& b) {
+  ASSERT_EQ(a.data.size(), b.data.size());
+  EXPECT_EQ(std::memcmp(a.data.data(), b.data.data(), a.data.size() * sizeof(T)), 0);
+}
+
+void expectSame(const Frame& fast, const Frame& expected) {
+  expectSameBits(fast.primitive, expected.primitive);
+  expectSameBits(fast.count, expected.count);
+  ASSERT_EQ(fast.depth.has_value(), expected.depth.has_value());
+  if (!fast.depth) return;
+  expectSameBits(*fast.depth, *expected.depth);
+  expectSameBits(*fast.depthBounds, *expected.depthBounds);
+}
+
+/// Draws `scene` both ways, by several threads and with every instruction set.
+void expectThatOfTheSlowWay(const Scene& scene, const Rules& rules) {
+  const Scene slow = withInput(scene);
+  ASSERT_FALSE(served(slow, rules));
+  RuleCounts slowCounts;
+  const Frame expected = render(slow, rules, &slowCounts).value();
+  const auto expectAlike = [&](unsigned threads) {
+    RuleCounts counts;
+    expectSame(render(scene, rules, &counts, threads).value(), expected);
+    for (const RuleInfo& rule : countedRules()) {
+      const bool ofInputs = rule.rule == Rule::Perspective || rule.rule == Rule::ClipAttribute || rule.rule == Rule::CutPolygon;
+      if (!ofInputs) EXPECT_EQ(counts[rule.rule], slowCounts[rule.rule]) << rule.name << ", " << threads << " threads";
+    }
+    expectSame(render(scene, rules, nullptr, threads).value(), expected);
+  };
+  for (const unsigned threads : {1U, 2U, 3U, 8U}) expectAlike(threads);
+  testing::onEveryTarget([&] { expectAlike(1); });
+}
+
+TEST(KernelFrame, IsThatOfOneTriangleAfterTheOther) {
+  size_t covered = 0, deep = 0, multisampled = 0, cut = 0;
+  for (const std::string_view profile : {"reference", "lavapipe"}) {
+    const Rules rules = Rules::profile(profile, Limits{}).value();
+    for (const CatalogueEntry& entry : catalogue()) {
+      if (!entry.remake || !entry.name.starts_with("random")) continue;
+      const Scene made = withoutInputs(entry.remake(5, 1500).value());
+      for (const Scene& scene : {made, withDepth(made)}) {
+        if (!served(scene, rules)) continue;
+        SCOPED_TRACE(entry.name + " " + std::string(profile));
+        expectThatOfTheSlowWay(scene, rules);
+        ++(scene.target.depthFormat ? deep : covered);
+        multisampled += scene.target.samples > 1 ? 1U : 0U;
+        cut += needsOf(scene).clipping ? 1U : 0U;
+      }
+    }
+  }
+  EXPECT_GE(covered, 8U);
+  EXPECT_GE(deep, 8U);
+  EXPECT_GE(multisampled, 4U);
+  EXPECT_GE(cut, 2U);
+}
+
+TEST(KernelFrame, OfAMeshIsThatOfOneTriangleAfterTheOther) {
+  const Rules rules = Rules::profile("lavapipe", Limits{}).value();
+  for (const std::string_view name : {"mesh/bunny-1x", "mesh/bunny-near-4x"}) {
+    SCOPED_TRACE(name);
+    const auto entries = matchCatalogue(std::string(name));
+    ASSERT_EQ(entries.size(), 1U);
+    const Scene scene = withoutInputs(entries[0]->make().value());
+    ASSERT_TRUE(served(scene, rules));
+    const Scene slow = withInput(scene);
+    const Frame expected = render(slow, rules).value();
+    for (const unsigned threads : {1U, 3U}) expectSame(render(scene, rules, nullptr, threads).value(), expected);
+  }
+}
+
+TEST(KernelFrame, LeavesWhatIsNotItsRuleToTheOthers) {
+  const auto entry = matchCatalogue("random/half-1x-w1");
+  ASSERT_EQ(entry.size(), 1U);
+  const Scene scene = entry[0]->remake(5, 3000).value();
+  const Rules rules = Rules::profile("reference", Limits{}).value();
+  ASSERT_TRUE(served(scene, rules));
+  EXPECT_FALSE(served(scene, Rules::specification(Limits{})));
+  EXPECT_FALSE(served(entry[0]->remake(5, 20).value(), rules));
+  Rules otherOwner = rules;
+  otherOwner.choices.tieOwner = TieOwner::BottomRight;
+  EXPECT_FALSE(served(scene, otherOwner));
+  Scene scissored = scene;
+  scissored.scissor = Rect2D{1, 0, scene.target.width - 1, scene.target.height};
+  EXPECT_FALSE(served(scissored, rules));
+  Scene masked = scene;
+  masked.state.sampleMask = 0;
+  EXPECT_FALSE(served(masked, rules));
+  const Scene deep = withDepth(scene);
+  ASSERT_TRUE(served(deep, rules));
+  Scene fixedPoint = deep;
+  fixedPoint.target.depthFormat = DepthFormat::D16_UNORM;
+  EXPECT_FALSE(served(fixedPoint, rules));
+  Scene greater = deep;
+  greater.state.depthCompareOp = CompareOp::GREATER;
+  EXPECT_FALSE(served(greater, rules));
+  Scene unwritten = deep;
+  unwritten.state.depthWriteEnable = false;
+  EXPECT_FALSE(served(unwritten, rules));
+}
+
+}  // namespace
+}  // namespace rasterdiff::rasterizer
