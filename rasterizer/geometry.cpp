@@ -5,6 +5,8 @@
 #include "rasterizer/drawing_region.hpp"
 #include "rasterizer/facing_freedom.hpp"
 #include "rasterizer/figures.hpp"
+#include "rasterizer/geometry_parts.hpp"
+#include "rasterizer/parallel.hpp"
 #include "rasterizer/piece_maker.hpp"
 #include "rasterizer/target_area.hpp"
 #include "rasterizer/uncut_triangle.hpp"
@@ -13,39 +15,87 @@
 namespace rasterdiff::rasterizer {
 namespace {
 
+/// What all primitives of one draw share, whichever thread makes them: its stages, its vertices, its assembly.
+struct DrawVertices {
+  DrawVertices(const Scene& scene, const Rules& rules, const Draw& given)
+      : draw(given), viewportIndex(rules.error == DeliberateError::ViewportIndexIgnored ? 0 : given.viewportIndex),
+        stage(vertexStage(scene, rules, viewportIndex)), volume(clipVolume(scene.state, given, rules.error)),
+        shared(given.indices || scene.state.topology != PrimitiveTopology::TRIANGLE_LIST),
+        assembled(assemble(given, scene.state, rules.error)), outcodes(given.positions.size()) {}
+
+  /// Projects vertices [first, end), each at most once.
+  void project(uint32_t first, uint32_t end, std::vector<RasterVertex>& to, RuleCounts& counts) {
+    if (shared) to.reserve(end - first);
+    for (uint32_t i = first; i < end; ++i) {
+      if (draw.positions[i].w != 1) ++counts[Rule::Division];
+      outcodes[i] = outcode(input(i), volume);
+      if (shared) to.push_back(projected(i));
+    }
+  }
+
+  [[nodiscard]] ClipInput input(uint32_t vertex) const {
+    const size_t count = volume.distances;
+    return {draw.positions[vertex], std::span(draw.clipDistances).subspan(vertex * size_t{draw.clipDistanceCount}, count)};
+  }
+
+  [[nodiscard]] RasterVertex projected(uint32_t vertex) const {
+    const ClipPosition& position = draw.positions[vertex];
+    return outcodes[vertex] == 0 && position.w > 0 ? stage.original(position) : RasterVertex{};
+  }
+
+  [[nodiscard]] RasterVertex at(uint32_t vertex) const {
+    return shared ? parts[vertex / partSize][vertex % partSize] : projected(vertex);
+  }
+
+  const Draw& draw;
+  const uint32_t viewportIndex;
+  const VertexStage stage;
+  ClipVolume volume;
+  const bool shared;  // primitives may have vertices in common: each is projected once
+  const std::vector<AssembledTriangle> assembled;
+  std::vector<unsigned> outcodes;
+  std::vector<std::vector<RasterVertex>> parts;  // of partSize vertices each, one after the other
+  uint32_t partSize = 1;
+  bool someClipped = false;
+};
+
+/// The vertices of one draw, by as many threads as there are counts.
+std::unique_ptr<DrawVertices> makeVertices(const Scene& scene, const Rules& rules, const Draw& draw, std::span<RuleCounts> counts) {
+  auto all = std::make_unique<DrawVertices>(scene, rules, draw);
+  const Viewport whole{0, 0, static_cast<float>(scene.target.width), static_cast<float>(scene.target.height), 0, 1};
+  if (viewportOf(scene, all->viewportIndex) != whole) counts[0][Rule::ViewportMap] += draw.positions.size();
+  const auto threads = static_cast<uint32_t>(counts.size()), size = static_cast<uint32_t>(draw.positions.size());
+  all->partSize = std::max(1U, (size + threads - 1) / threads);
+  all->parts.resize(threads);
+  inParallel(threads, [&](unsigned k) {
+    const uint32_t first = std::min(size, k * all->partSize);
+    all->project(first, std::min(size, first + all->partSize), all->parts[k], counts[k]);
+  });
+  all->someClipped = std::ranges::any_of(all->outcodes, [](unsigned code) { return code != 0; });
+  all->volume.wideSides = rules.choices.pointClip == PointClip::SidesIgnored && scene.furtherViewports.empty() &&
+                          scene.state.polygonMode == PolygonMode::POINT;
+  return all;
+}
+
 class DrawGeometry {
  public:
-  DrawGeometry(const Scene& scene, const Rules& rules, const Draw& draw, RuleCounts& counts, const PrimitiveVisitor& visit)
-      : scene_(scene), rules_(rules), draw_(draw), counts_(counts), visit_(visit),
-        viewportIndex_(rules.error == DeliberateError::ViewportIndexIgnored ? 0 : draw.viewportIndex),
-        stage_(vertexStage(scene, rules, viewportIndex_)),
-        volume_(clipVolume(scene.state, draw, rules.error)),
+  DrawGeometry(const Scene& scene, const Rules& rules, const DrawVertices& vertices, RuleCounts& counts, const PrimitiveVisitor& visit)
+      : scene_(scene), rules_(rules), draw_(vertices.draw), all_(vertices), counts_(counts), visit_(visit),
+        stage_(vertices.stage), volume_(vertices.volume), outcodes_(vertices.outcodes), someClipped_(vertices.someClipped),
         pieceMaker_(scene.state, rules, counts),
-        figureMaker_(scene, rules, draw, stage_, volume_, drawingRegion(scene, viewportIndex_, rules), counts) {
-    const Viewport& viewport = viewportOf(scene, viewportIndex_);
-    const Viewport whole{0, 0, static_cast<float>(scene.target.width), static_cast<float>(scene.target.height), 0, 1};
-    if (viewport != whole) counts_[Rule::ViewportMap] += draw.positions.size();
-    const bool shared = draw.indices || scene.state.topology != PrimitiveTopology::TRIANGLE_LIST;
-    outcodes_.reserve(draw.positions.size());
-    if (shared) vertices_.reserve(draw.positions.size());
-    for (uint32_t i = 0; i < draw.positions.size(); ++i) {
-      if (draw.positions[i].w != 1) ++counts_[Rule::Division];
-      outcodes_.push_back(outcode(input(i), volume_));
-      someClipped_ = someClipped_ || outcodes_.back() != 0;
-      if (shared) vertices_.push_back(projected(i));
-    }
-    volume_.wideSides = rules.choices.pointClip == PointClip::SidesIgnored && scene.furtherViewports.empty() &&
-                        scene.state.polygonMode == PolygonMode::POINT;
-    primitive_.draw = &draw;
+        figureMaker_(scene, rules, draw_, stage_, volume_, drawingRegion(scene, vertices.viewportIndex, rules), counts) {
+    const Viewport& viewport = viewportOf(scene, vertices.viewportIndex);
+    primitive_.draw = &draw_;
     primitive_.viewport = stage_.viewport;
     primitive_.minDepth = viewport.minDepth;
     primitive_.maxDepth = viewport.maxDepth;
-    primitive_.viewportIndex = viewportIndex_;
+    primitive_.viewportIndex = vertices.viewportIndex;
   }
 
-  uint32_t run(uint32_t number) {
-    const std::vector<AssembledTriangle> all = assemble(draw_, scene_.state, rules_.error);
-    for (size_t i = 0; i < all.size(); ++i) {
+  /// Primitives [first, end) of the draw, in drawing order; `number`: primitives of earlier draws.
+  void run(uint32_t number, size_t first, size_t end) {
+    const std::vector<AssembledTriangle>& all = all_.assembled;
+    for (size_t i = first; i < end; ++i) {
       const size_t at = rules_.error == DeliberateError::DrawBackward ? all.size() - 1 - i : i;
       const AssembledTriangle& assembled = all[at];
       primitive_.number = number + static_cast<uint32_t>(at) + 1;
@@ -68,19 +118,10 @@ class DrawGeometry {
       const bool mayDraw = !primitive_.pieces.empty() || !primitive_.figures.empty() || primitive_.unprojectable;
       if (mayDraw || (rules_.open && primitive_.polygon.size() >= 3)) visit_(primitive_);
     }
-    return number + static_cast<uint32_t>(all.size());
   }
 
  private:
-  [[nodiscard]] ClipInput input(uint32_t vertex) const {
-    const size_t count = volume_.distances;
-    return {draw_.positions[vertex], std::span(draw_.clipDistances).subspan(vertex * size_t{draw_.clipDistanceCount}, count)};
-  }
-
-  [[nodiscard]] RasterVertex projected(uint32_t vertex) const {
-    const ClipPosition& position = draw_.positions[vertex];
-    return outcodes_[vertex] == 0 && position.w > 0 ? stage_.original(position) : RasterVertex{};
-  }
+  [[nodiscard]] ClipInput input(uint32_t vertex) const { return all_.input(vertex); }
 
   // [vk:vertexpostproc-clipping] discarded if some cull distance is negative at all vertices.
   [[nodiscard]] bool culledByDistance() const {
@@ -142,7 +183,7 @@ class DrawGeometry {
   void wholePolygon() {
     for (size_t i = 0; i < 3; ++i) {
       const uint32_t at = primitive_.assembled.vertices[i];
-      RasterVertex vertex = vertices_.empty() ? projected(at) : vertices_[at];
+      RasterVertex vertex = all_.at(at);
       vertex.smoothWeights = vertex.linearWeights = {};
       vertex.smoothWeights[i] = vertex.linearWeights[i] = 1;
       primitive_.polygon.push_back(vertex);
@@ -240,25 +281,41 @@ class DrawGeometry {
   const Scene& scene_;
   const Rules& rules_;
   const Draw& draw_;
+  const DrawVertices& all_;
   RuleCounts& counts_;
   const PrimitiveVisitor& visit_;
-  const uint32_t viewportIndex_;
-  const VertexStage stage_;
-  ClipVolume volume_;
+  const VertexStage& stage_;
+  const ClipVolume& volume_;
+  const std::vector<unsigned>& outcodes_;
+  const bool someClipped_;
   const PieceMaker pieceMaker_;
   FigureMaker figureMaker_;
   Primitive primitive_;
   ClipPolygon clipped_;
-  std::vector<RasterVertex> vertices_;  // of the draw, once each; empty where no two primitives share any
-  std::vector<unsigned> outcodes_;
-  bool someClipped_ = false;
 };
 
 }  // namespace
 
 void forEachPrimitive(const Scene& scene, const Rules& rules, RuleCounts& counts, const PrimitiveVisitor& visit) {
-  uint32_t number = 0;
-  for (const Draw& draw : scene.draws) number = DrawGeometry(scene, rules, draw, counts, visit).run(number);
+  forEachPrimitive(scene, rules, {&counts, 1}, {&visit, 1});
+}
+
+void forEachPrimitive(const Scene& scene, const Rules& rules, std::span<RuleCounts> counts, std::span<const PrimitiveVisitor> visitors) {
+  std::vector<std::unique_ptr<DrawVertices>> draws;
+  size_t primitives = 0;
+  for (const Draw& draw : scene.draws) {
+    draws.push_back(makeVertices(scene, rules, draw, counts));
+    primitives += draws.back()->assembled.size();
+  }
+  inParallel(static_cast<unsigned>(visitors.size()), [&](unsigned k) {
+    const size_t first = primitives * k / visitors.size(), end = primitives * (k + 1) / visitors.size();
+    size_t before = 0;
+    for (const auto& draw : draws) {
+      const size_t size = draw->assembled.size(), from = std::max(first, before), to = std::min(end, before + size);
+      if (from < to) DrawGeometry(scene, rules, *draw, counts[k], visitors[k]).run(static_cast<uint32_t>(before), from - before, to - before);
+      before += size;
+    }
+  });
 }
 
 }  // namespace rasterdiff::rasterizer

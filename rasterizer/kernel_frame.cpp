@@ -8,6 +8,7 @@
 #include "rasterizer/depth/format.hpp"
 #include "rasterizer/drawing_region.hpp"
 #include "rasterizer/fragment/plane_corners.hpp"
+#include "rasterizer/geometry_parts.hpp"
 #include "rasterizer/interpolation.hpp"
 #include "rasterizer/parallel.hpp"
 #include "scene/primitive_class.hpp"
@@ -151,10 +152,12 @@ std::optional<KernelFrame> KernelFrame::of(const Scene& scene, const Rules& rule
 std::optional<Frame> KernelFrame::draw(unsigned threads, RuleCounts* counts) const {
   const bool counted = counts != nullptr;
   const uint32_t rows = bandRows(scene_);
-  RuleCounts own;
-  PieceSorter sorter(scene_, rules_, rows);
-  forEachPrimitive(scene_, rules_, own, [&](const Primitive& primitive) { sorter.add(primitive); });
-  if (sorter.overlap()) return std::nullopt;
+  std::vector<PieceSorter> sorters(threads, PieceSorter(scene_, rules_, rows));
+  std::vector<RuleCounts> decided(threads);
+  std::vector<PrimitiveVisitor> visitors;
+  for (PieceSorter& sorter : sorters) visitors.emplace_back([&sorter](const Primitive& primitive) { sorter.add(primitive); });
+  forEachPrimitive(scene_, rules_, decided, visitors);
+  if (std::ranges::any_of(sorters, [](const PieceSorter& sorter) { return sorter.overlap(); })) return std::nullopt;
 
   const Interpolated clear = scene_.target.depthFormat ? clearedDepth(scene_.target.depthClearValue, *scene_.target.depthFormat) : Interpolated{};
   Frame frame = emptyFrame(scene_);
@@ -162,17 +165,18 @@ std::optional<Frame> KernelFrame::draw(unsigned threads, RuleCounts* counts) con
   std::vector<BandTally> tallies(threads);
   inParallel(threads, [&](unsigned thread) {
     BandDrawer drawer(frame, pattern_, clear, rows);
-    for (size_t band = next++; band < sorter.bands().size(); band = next++) {
-      const BandPieces* const pieces = &sorter.bands()[band];
+    std::vector<const BandPieces*> pieces(threads);
+    for (size_t band = next++; band < sorters[0].bands().size(); band = next++) {
+      std::ranges::transform(sorters, pieces.begin(), [band](const PieceSorter& sorter) { return &sorter.bands()[band]; });
       const auto firstRow = static_cast<uint32_t>(band) * rows;
-      tallies[thread] += drawer.draw({&pieces, 1}, firstRow, std::min(firstRow + rows, frame.height), counted);
+      tallies[thread] += drawer.draw(pieces, firstRow, std::min(firstRow + rows, frame.height), counted);
     }
   });
   if (!counted) return frame;
   BandTally all;
   for (const BandTally& tally : tallies) all += tally;
-  count(own, all, frame.depth.has_value());
-  *counts += own;
+  count(*counts, all, frame.depth.has_value());
+  for (const RuleCounts& part : decided) *counts += part;
   return frame;
 }
 
