@@ -1,6 +1,12 @@
 #include "rasterizer/fragment/triangle_plane.hpp"
 
 namespace rasterdiff::rasterizer {
+namespace {
+
+/// Of a term of a sum of weighted vertices: 1 / det, times the edge, times the value, two sums.
+constexpr double kWeightRoundings = 5;
+
+}  // namespace
 
 TrianglePlane::TrianglePlane(const std::array<FramebufferPosition, 3>& corners, double deviation) : deviation_(deviation) {
   for (size_t i = 0; i < 3; ++i) {
@@ -13,8 +19,10 @@ TrianglePlane::TrianglePlane(const std::array<FramebufferPosition, 3>& corners, 
   e2y_ = y_[2] - y_[0];
   determinant_ = e1x_ * e2y_ - e1y_ * e2x_;
   const double area = std::fabs(determinant_);
-  perimeter_ = std::fabs(e1x_) + std::fabs(e1y_) + std::fabs(e2x_) + std::fabs(e2y_) + std::fabs(e2x_ - e1x_) +
-               std::fabs(e2y_ - e1y_);
+  const double aroundX = std::fabs(e1x_) + std::fabs(e2x_) + std::fabs(e2x_ - e1x_);  // twice the width
+  const double aroundY = std::fabs(e1y_) + std::fabs(e2y_) + std::fabs(e2y_ - e1y_);
+  perimeter_ = aroundX + aroundY;
+  crossing_ = aroundX * aroundY / area;
   condition_ = 1 + (std::fabs(e1x_ * e2y_) + std::fabs(e1y_ * e2x_)) / area;
   sensitivity_ = (deviation_ * perimeter_ + 6 * deviation_ * deviation_) / area;
 }
@@ -40,7 +48,7 @@ LinearFunction TrianglePlane::through(const std::array<double, 3>& a, double inp
   }
   if (undetermined()) {
     // A sliver whose area a legal placement can halve or lose: its plane is not determined.
-    result.constantRadius = d1 == 0 && d2 == 0 ? 4 * kHalfUlp * largest * condition_ : kUnbounded;
+    result.constantRadius = d1 == 0 && d2 == 0 ? kHalfUlp * largest * std::max(4 * condition_, kWeightRoundings * crossing_) : kUnbounded;
     return result;
   }
   const double area = std::fabs(determinant_);
@@ -55,9 +63,14 @@ LinearFunction TrianglePlane::through(const std::array<double, 3>& a, double inp
   const double change = 2 * deviation_ * (std::fabs(d1) + std::fabs(d2)) / area;
   const double steepest = (std::fabs(result.dx) + std::fabs(result.dy) + 2 * change) / (1 - sensitivity_);
   const double spread = reach_ + 2 * (deviation_ + 0x1p-7 + outside) * perimeter_ / area;  // bound on Σ |bᵢ|
-  result.constantRadius = spread * (3 * kHalfUlp * largest + inputError + deviation_ * steepest);
   result.farX = std::max({std::fabs(x_[0]), std::fabs(x_[1]), std::fabs(x_[2])});
   result.farY = std::max({std::fabs(y_[0]), std::fabs(y_[1]), std::fabs(y_[2])});
+  // Instead of differences of values, weights may be summed: gx = Σ vᵢ (edge i in y / det), gy likewise. Each term is rounded by itself,
+  // also where they cancel, as those of a constant do: gx errs by kWeightRoundings · 2^-24 · max |v| · Σ |edge in y| / |det|, over at
+  // most the triangle's width and what is outside. An evaluation is one or the other, so that the larger bound is that of both.
+  const double weights = kHalfUlp * kWeightRoundings * largest * (crossing_ + outside * perimeter_ / area);
+  const double differences = result.radiusPerX * (result.farX + 1) + result.radiusPerY * (result.farY + 1);
+  result.constantRadius = std::max(spread * 3 * kHalfUlp * largest, weights - differences) + spread * (inputError + deviation_ * steepest);
   return result;
 }
 
