@@ -1,5 +1,6 @@
 #include "rasterizer/choice_table.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "rasterizer/lines/smooth_line.hpp"
@@ -35,11 +36,12 @@ constexpr std::array<Names, 4> kSlanted{"LikeVertical", "AgainstVertical", "Like
 constexpr std::array<Names, 2> kWinding{"Same", "OppositeIfCounterClockwise"};
 constexpr std::array<Names, 3> kClip{"Exact", "Float32Linear", "Float32Weighted"};
 constexpr std::array<Names, 3> kFill{"Polygon", "Fan", "Spans"};
+constexpr std::array<Names, 2> kDistances{"Cut", "Fragments"};
 constexpr std::array<Names, 3> kCull{"Snapped", "AlsoFloat", "UncutFloat32"};
 constexpr std::array<Names, 3> kOutline{"Original", "Flagged", "Uncut"};
 constexpr std::array<Names, 2> kPointClip{"Volume", "SidesIgnored"};
 constexpr std::array<Names, 2> kRegion{"Scissor", "RoundedViewport"};
-constexpr std::array<Names, 4> kPoint{"Exact", "SnappedCentre", "SnappedCorners", "ClipCorners"};
+constexpr std::array<Names, 5> kPoint{"Exact", "SnappedCentre", "SnappedCorners", "ClipCorners", "SnappedCentreEven"};
 constexpr std::array<Names, 3> kLine{"Exact", "Float32Corners", "ClipCorners"};
 constexpr std::array<Names, 2> kDiamond{"Vulkan", "Direct3D11"};
 constexpr std::array<Names, 4> kBiasUnit{"OneStep", "TwoSteps", "OneStepOfRange", "OneStepAndPercent"};
@@ -64,6 +66,7 @@ constexpr std::array<ChoiceInfo, kChoices> kTable{
     row<&Choices::tieWinding>(Choice::TieWinding, "tieWinding", "ties by winding", kWinding),
     row<&Choices::clipArithmetic>(Choice::ClipArithmetic, "clipArithmetic", "vertices made by clipping", kClip),
     row<&Choices::cutFill>(Choice::CutFill, "cutFill", "filling of cut polygons", kFill),
+    row<&Choices::clipDistances>(Choice::ClipDistances, "clipDistances", "clip distances", kDistances),
     row<&Choices::cullPosition>(Choice::CullPosition, "cullPosition", "position of culling", kCull),
     row<&Choices::cutOutline>(Choice::CutOutline, "cutOutline", "outlines of cut polygons", kOutline),
     row<&Choices::pointArithmetic>(Choice::PointArithmetic, "pointArithmetic", "square of a point", kPoint),
@@ -90,11 +93,16 @@ bool mayLeaveRegion(const Scene& scene) {
   return scene.scissor.has_value() || !whole || !scene.furtherViewports.empty();
 }
 
+bool hasClipDistances(const Scene& scene) {
+  return std::ranges::any_of(scene.draws, [](const Draw& draw) { return draw.clipDistanceCount > 0; });
+}
+
 bool dependsOn(const Scene& scene, Choice choice) {
   const State& state = scene.state;
   switch (choice) {
     case Choice::ClipArithmetic: return mayClip(scene);
     case Choice::CutFill: return state.polygonMode == PolygonMode::FILL && mayClip(scene);
+    case Choice::ClipDistances: return hasClipDistances(scene);
     case Choice::CullPosition: return state.cullMode != CullMode::NONE || mayClip(scene);
     case Choice::CutOutline: return state.polygonMode != PolygonMode::FILL && mayClip(scene);
     case Choice::PointClip: return drawsPoints(state) && mayClip(scene);

@@ -22,6 +22,7 @@ enum class Choice : uint8_t {
   TieWinding,
   ClipArithmetic,
   CutFill,
+  ClipDistances,
   CullPosition,
   CutOutline,
   PointArithmetic,

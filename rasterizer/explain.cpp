@@ -9,6 +9,7 @@
 #include "rasterizer/fragment_replay.hpp"
 #include "rasterizer/figure_verdict.hpp"
 #include "rasterizer/freedom_band.hpp"
+#include "rasterizer/kept_fragments.hpp"
 #include "rasterizer/lines/line_coverage.hpp"
 #include "rasterizer/sample_grid.hpp"
 #include "rasterizer/sample_pattern.hpp"
@@ -131,6 +132,13 @@ class Explainer {
     return e;
   }
 
+  // [choice:clip-distances]
+  [[nodiscard]] bool dropsFragments(const Primitive& primitive) const {
+    return leavesDistancesToFragments(rules_) && primitive.draw->clipDistanceCount > 0;
+  }
+  [[nodiscard]] bool keeps(const KeptFragments& kept) const { return kept.keeps(static_cast<int32_t>(query_.x), static_cast<int32_t>(query_.y)); }
+  [[nodiscard]] VertexStage stageOf(const Primitive& primitive) const { return {rules_, primitive.viewport, scene_.target.samples}; }
+
   PrimitiveExplanation explainPiece(const Primitive& primitive, const SetupTriangle& piece) {
     const SubpixelPosition p = result_.position;
     PrimitiveExplanation e = begin(primitive);
@@ -151,9 +159,10 @@ class Explainer {
       const std::optional<size_t> drawn = CutPolygon(primitive, rules_).pieceAt(p.x, p.y);
       inside = drawn && &primitive.pieces[*drawn] == &piece;
     }
-    settle(e, primitive, piece, inside && !piece.culled);
+    const bool kept = !dropsFragments(primitive) || keeps(KeptFragments(primitive, stageOf(primitive)));
+    settle(e, primitive, piece, inside && kept && !piece.culled);
     if (rules_.open) allow(e, FreedomBand(primitive, scene_.state.cullMode, scene_.state.frontFace).classifyExactly(p.x, p.y));
-    e.decidedBy = decidingRule(e, Rule::SampleCoverage, tie && touched, touched);
+    e.decidedBy = kept ? decidingRule(e, Rule::SampleCoverage, tie && touched, touched) : Rule::UserDistance;
     return e;
   }
 
@@ -177,9 +186,10 @@ class Explainer {
     e.facts = figure.shape->facts(p.x, p.y);
     e.dropped = !inside && figure.solid != nullptr && figure.solid->covers(p.x, p.y, ignored);
     if (e.facts.sides.empty() && !e.facts.diamond && figure.solid != nullptr) e.facts = figure.solid->facts(p.x, p.y);
-    settle(e, primitive, figure, inside);
+    const bool kept = !dropsFragments(primitive) || keeps(KeptFragments(primitive, figure, stageOf(primitive)));
+    settle(e, primitive, figure, inside && kept);
     if (rules_.open) allow(e, legalVerdict(figure, p.x, p.y));
-    e.decidedBy = decidingRule(e, own.shape(), tie, inside);
+    e.decidedBy = kept ? decidingRule(e, own.shape(), tie, inside) : Rule::UserDistance;
     return e;
   }
 

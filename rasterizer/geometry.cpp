@@ -6,6 +6,7 @@
 #include "rasterizer/facing_freedom.hpp"
 #include "rasterizer/figures.hpp"
 #include "rasterizer/geometry_parts.hpp"
+#include "rasterizer/kept_fragments.hpp"
 #include "rasterizer/parallel.hpp"
 #include "rasterizer/piece_maker.hpp"
 #include "rasterizer/target_area.hpp"
@@ -15,11 +16,18 @@
 namespace rasterdiff::rasterizer {
 namespace {
 
+// [choice:clip-distances] Fragments: nothing is cut by them here (kept_fragments.hpp).
+ClipVolume volumeOf(const Scene& scene, const Draw& draw, const Rules& rules) {
+  ClipVolume volume = clipVolume(scene.state, draw, rules.error);
+  if (leavesDistancesToFragments(rules)) volume.distances = 0;
+  return volume;
+}
+
 /// What all primitives of one draw share, whichever thread makes them: its stages, its vertices, its assembly.
 struct DrawVertices {
   DrawVertices(const Scene& scene, const Rules& rules, const Draw& given)
       : draw(given), viewportIndex(rules.error == DeliberateError::ViewportIndexIgnored ? 0 : given.viewportIndex),
-        stage(vertexStage(scene, rules, viewportIndex)), volume(clipVolume(scene.state, given, rules.error)),
+        stage(vertexStage(scene, rules, viewportIndex)), volume(volumeOf(scene, given, rules)),
         shared(given.indices || scene.state.topology != PrimitiveTopology::TRIANGLE_LIST),
         assembled(assemble(given, scene.state, rules.error)), outcodes(given.positions.size()) {}
 

@@ -11,6 +11,7 @@
 #include "rasterizer/frame_writer.hpp"
 #include "rasterizer/freedom_band.hpp"
 #include "rasterizer/kernel_frame.hpp"
+#include "rasterizer/kept_fragments.hpp"
 #include "rasterizer/lines/line_coverage.hpp"
 #include "rasterizer/mistakes/mistaken_scene.hpp"
 #include "rasterizer/sample_grid.hpp"
@@ -32,6 +33,7 @@ class Renderer {
         values_(scene, needsOf(scene), rules, &counts),
         writer_(scene, needsOf(scene), rules, std::move(pattern), values_, counts),
         open_(rules.open),
+        dropsFragments_(leavesDistancesToFragments(rules)),
         spans_(pattern_.size()) {
     for (uint32_t index = 0; index <= scene.furtherViewports.size(); ++index) {
       regions_.push_back(drawingRegion(scene, index, rules));
@@ -42,6 +44,9 @@ class Renderer {
     region_ = regions_[primitive.viewportIndex];
     area_ = region_.area;
     writer_.beginDraw(*primitive.draw);
+    kept_.reset();
+    const bool dropsFragments = dropsFragments_ && primitive.draw->clipDistanceCount > 0;
+    if (dropsFragments) kept_.emplace(primitive, stageOf(primitive));
     if (primitive.folded) drawFolded(primitive);
     for (const SetupTriangle& piece : primitive.pieces) {
       if (piece.culled || primitive.folded) continue;
@@ -52,7 +57,10 @@ class Renderer {
       countInterpolation(primitive, drawPiece(primitive, piece, box));
       writer_.endPiece(values_);
     }
-    for (const Figure& figure : primitive.figures) drawFigure(primitive, figure);
+    for (const Figure& figure : primitive.figures) {
+      if (dropsFragments) kept_.emplace(primitive, figure, stageOf(primitive));
+      drawFigure(primitive, figure);
+    }
     if (open_ && primitive.unprojectable) markEverything();
     if (open_ && !primitive.polygon.empty()) markBand(primitive);
   }
@@ -60,6 +68,8 @@ class Renderer {
   Frame take() { return writer_.take(values_); }
 
  private:
+  [[nodiscard]] VertexStage stageOf(const Primitive& primitive) const { return {rules_, primitive.viewport, scene_.target.samples}; }
+
   static constexpr int32_t kExpectedRows = 16;  // of taller pieces the processor fetches the rest by itself
 
   struct Box {
@@ -109,12 +119,40 @@ class Renderer {
       }
       inside += static_cast<uint64_t>(covered);
       if (unequal) ++counts_[Rule::SamplePattern];
-      if (some) writer_.writeRow(primitive.number, values_, y, spans_);
+      if (some && kept_) {
+        writeKept(primitive, y);
+      } else if (some) {
+        writer_.writeRow(primitive.number, values_, y, spans_);
+      }
     }
     counts_[Rule::SampleCoverage] += inside;
     counts_[Rule::TieBreak] += ties;
     if (primitive.cutByDistance) counts_[Rule::Partition] += ties;
     return inside;
+  }
+
+  // [choice:clip-distances] Fragments: only those that are kept, pixel by pixel.
+  void writeKept(const Primitive& primitive, int32_t y) {
+    const std::vector<RowSpan> row = spans_;
+    RowSpan all{whole_.right, whole_.left};
+    for (const RowSpan& span : row) {
+      if (!span.empty()) all = {std::min(all.begin, span.begin), std::max(all.end, span.end)};
+    }
+    for (int32_t x = all.begin; x < all.end; ++x) {
+      bool some = false;
+      for (size_t s = 0; s < row.size(); ++s) {
+        const bool covered = x >= row[s].begin && x < row[s].end;
+        spans_[s] = covered ? keptOf(x, y) : RowSpan{};
+        some = some || !spans_[s].empty();
+      }
+      if (some) writer_.writeRow(primitive.number, values_, y, spans_);
+    }
+  }
+
+  [[nodiscard]] RowSpan keptOf(int32_t x, int32_t y) {
+    if (!kept_ || kept_->keeps(x, y)) return {x, x + 1};
+    ++counts_[Rule::UserDistance];
+    return {};
   }
 
   // Few and small: every sample of the box is decided on its own, and drawn with the piece that it belongs to.
@@ -142,7 +180,7 @@ class Renderer {
         for (size_t s = 0; s < pattern_.size(); ++s) {
           const int64_t px = int64_t{x} * kSubpixelOne + pattern_[s].x, py = int64_t{y} * kSubpixelOne + pattern_[s].y;
           const bool covered = polygon.pieceAt(px, py) == piece;
-          spans_[s] = covered && writable.contains(x, y, pattern_[s]) ? RowSpan{x, x + 1} : RowSpan{};
+          spans_[s] = covered && writable.contains(x, y, pattern_[s]) ? keptOf(x, y) : RowSpan{};
           inside += covered ? 1 : 0;
           some = some || !spans_[s].empty();
         }
@@ -179,7 +217,7 @@ class Renderer {
       if (tie) ++counts_[Rule::TieBreak];
       if (covered && !inside) ++counts_[Rule::Scissor];
       if (figure.solid) countStipple(figure, px, py, covered);
-      spans_[s] = covered && inside ? RowSpan{x, x + 1} : RowSpan{};
+      spans_[s] = covered && inside ? keptOf(x, y) : RowSpan{};
       if (!spans_[s].empty()) ++samples;
       if (open_ && inside) writer_.markCoverage(x, y, s, legalVerdict(figure, px, py).coverage);
     }
@@ -249,6 +287,8 @@ class Renderer {
   PieceValues values_;
   FrameWriter writer_;
   const bool open_;
+  const bool dropsFragments_;
+  std::optional<KeptFragments> kept_;  // of the primitive or figure being drawn
   std::vector<RowSpan> spans_;
 };
 

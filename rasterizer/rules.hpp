@@ -76,6 +76,7 @@ enum class PointArithmetic : uint8_t {
   SnappedCentre,  ///< around the float32 vertex snapped (halves away from zero), its side in whole subpixels and at least one pixel
   SnappedCorners, ///< around the snapped vertex, its half side in whole subpixels; ties by the tie owner, as two triangles have them
   ClipCorners,    ///< corners made in clip space in float32, cut at the view volume's sides, each snapped like a vertex
+  SnappedCentreEven,  ///< as SnappedCentre, but halves go to the even subpixel, those of the side too
 };
 
 /// [choice:point-clip] which points outside of the view volume are drawn. [vk:vertexpostproc-clipping]
@@ -98,6 +99,12 @@ enum class CutFill : uint8_t {
   Polygon,  ///< as one polygon: every sample that it winds around once, all of it facing one way
   Fan,      ///< each triangle of its fan for itself: overlaps are drawn twice, each triangle has its own facing
   Spans,    ///< each row from its last left to its last right edge, in the order of the edges
+};
+
+/// [choice:clip-distances] what user clip distances take away. [vk:vertexpostproc-clipping]
+enum class ClipDistances : uint8_t {
+  Cut,        ///< the part of the primitive where one is negative
+  Fragments,  ///< whole fragments where one, interpolated in float32 at the pixel's centre, is negative: breaks the specification at several samples
 };
 
 /// [choice:cull-position] which positions a triangle's facing is culled by. [vk:primsrast-polygons-basic]
@@ -208,6 +215,7 @@ struct Choices {
   CutOutline cutOutline = CutOutline::Original;
   CullPosition cullPosition = CullPosition::Snapped;
   CutFill cutFill = CutFill::Polygon;
+  ClipDistances clipDistances = ClipDistances::Cut;
   DrawingRegionRule drawingRegion = DrawingRegionRule::Scissor;
   LineArithmetic lineArithmetic = LineArithmetic::Exact;
   DiamondExit diamondExit = DiamondExit::Vulkan;

@@ -12,6 +12,9 @@ int32_t subpixels(double pixels) {
   return static_cast<int32_t>(std::clamp(pixels, -kGuardBand, kGuardBand) * kSubpixelOne);
 }
 
+// Steps are kept in 32 bits, and in float32 before: the largest of those below 2^31.
+double saturated(double steps) { return std::clamp(steps, -0x1p31, 0x1.fffffep30); }
+
 RasterVertex vertexOf(const ClipPosition& p, const VertexStage& stage) {
   RasterVertex vertex;
   const double clip[4] = {p.x, p.y, p.z, p.w};
@@ -55,8 +58,8 @@ T uncutDoubleArea(const std::array<ClipPosition, 3>& clip, const VertexStage& st
   bool turned = false;
   for (size_t i = 0; i < 3; ++i) {
     const float w = clip[i].w == 0 ? 1.0F : clip[i].w;
-    x[i] = static_cast<T>(snapAnywhere(stage.rules, stage.samples, clip[i].x, w, stage.viewport.x).steps);
-    y[i] = static_cast<T>(snapAnywhere(stage.rules, stage.samples, clip[i].y, w, stage.viewport.y).steps);
+    x[i] = static_cast<T>(saturated(snapAnywhere(stage.rules, stage.samples, clip[i].x, w, stage.viewport.x).steps));
+    y[i] = static_cast<T>(saturated(snapAnywhere(stage.rules, stage.samples, clip[i].y, w, stage.viewport.y).steps));
     turned = turned != std::signbit(clip[i].w);
   }
   const T area = (y[0] - y[2]) * x[1] + (y[2] - y[1]) * x[0] + (y[1] - y[0]) * x[2];

@@ -15,7 +15,7 @@ namespace rasterdiff::rasterizer {
 [[nodiscard]] std::optional<std::array<RasterVertex, 3>> uncutVertices(const std::array<ClipPosition, 3>& clip,
                                                                        const VertexStage& stage);
 
-/// Twice the area of the snapped vertices in grid steps, turned for each negative w; > 0: clockwise on the screen.
+/// Twice the area of the snapped vertices in grid steps (saturated to 32 bits), turned for each negative w; > 0: clockwise on the screen.
 /// T: float or double, in which it is computed.
 template <class T>
 [[nodiscard]] T uncutDoubleArea(const std::array<ClipPosition, 3>& clip, const VertexStage& stage);

@@ -11,7 +11,9 @@
 #include "harness/cli/invariant_check.hpp"
 #include "harness/cli/isolated.hpp"
 #include "harness/cli/memory.hpp"
+#include "harness/cli/driver_range.hpp"
 #include "harness/cli/message.hpp"
+#include "harness/cli/panel.hpp"
 #include "harness/cli/progress.hpp"
 #include "harness/cli/rule_choice.hpp"
 #include "harness/cli/run.hpp"
@@ -162,6 +164,7 @@ int runVerb(const CheckOptions& options) {
     }
   }
 
+  if (namesSeveral(options.choice.driver)) return checkSeveral(options, *jobs);
   const std::vector<uint32_t> order = workOrder(*jobs, options);
   if (order.empty()) {
     return complain({ErrorCode::BadInput, "--shard", "this part of the work is empty",

@@ -6,6 +6,8 @@
 
 #include <cstdio>
 
+#include "harness/cli/driver_range.hpp"
+#include "harness/cli/hidden_rules.hpp"
 #include "harness/cli/isolated.hpp"
 #include "harness/cli/message.hpp"
 #include "harness/cli/rule_choice.hpp"
@@ -39,6 +41,7 @@ Profile profileOf(const Inference& inference) {
 }  // namespace
 
 int runVerb(const InferOptions& options) {
+  if (namesSeveral(options.choice.driver)) return inferSeveral(options);
   if (!options.output.empty()) {
     if (const Result<void> writable = checkWritable(options.output); !writable) {
       return complain(writable.error(), "rasterdiff infer --help");

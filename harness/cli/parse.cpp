@@ -33,6 +33,8 @@ Examples:
   rasterdiff check 'random*/*' --count 100000          points, lines, strips, edges, cuts … of each kind
   rasterdiff check --driver mutant:truncating-snap     is this deliberate error caught?
   rasterdiff check --driver legal:7 --rules spec       is this random legal renderer let through?
+  rasterdiff check --driver legal:1..100 --rules spec  are all of these? one summary
+  rasterdiff check --driver 'mutant:*'                 which scenes catch which deliberate error? 0: all are caught
   rasterdiff check --shard 2/8 --junit shard2.xml      one of eight machines)";
 
 constexpr const char* kRenderExamples = R"(Writes one PNG (samples averaged) and one .npy (every sample) a plane.
@@ -82,7 +84,7 @@ void addCheck(CLI::App& app, CheckOptions& options) {
   CLI::App* verb = app.add_subcommand("check", "Render with both, compare every sample and value");
   verb->footer(kCheckExamples);
   verb->add_option("SCENE", options.scenes, "Catalogue glob, scene file or folder");
-  addDriverOptions(*verb, options.choice, ", fault:KIND[=GLOB] (self-test)");
+  addDriverOptions(*verb, options.choice, ", fault:KIND[=GLOB] (self-test); several: legal:FIRST..LAST, 'mutant:GLOB'");
   verb->add_option("--baseline", options.baseline,
                    "Known differences: a file, or none (default: those known to this project)");
   verb->add_option("--report", options.report, "Write one self-contained HTML file");

@@ -52,7 +52,8 @@ Examples:
   rasterdiff infer
   rasterdiff infer --driver swiftshader -o swiftshader.json
   rasterdiff check 'random/*' --driver swiftshader --rules swiftshader.json
-  rasterdiff infer --driver synthetic:7      random rules that nobody told it: are they found?)";
+  rasterdiff infer --driver synthetic:7      random rules that nobody told it: are they found?
+  rasterdiff infer --driver synthetic:1..100     are those of all these? exit status 0: every choice of each)";
 
 constexpr const char* kBlessExamples = R"(A scene that differs gets an entry for the driver's version and the rules of that run. Entries whose scene no longer differs go.
 
@@ -173,7 +174,7 @@ void addInfer(CLI::App& app, InferOptions& options) {
   CLI::App* verb = app.add_subcommand("infer", "Find the rules that a driver follows, by experiment");
   verb->footer(kInferExamples);
   verb->add_option("--driver", options.choice.driver,
-                   "lavapipe, swiftshader, the path of an ICD manifest (*.json), mutant:NAME, synthetic:SEED")
+                   "lavapipe, swiftshader, the path of an ICD manifest (*.json), mutant:NAME, synthetic:SEED or synthetic:FIRST..LAST")
       ->capture_default_str();
   verb->add_option("-o,--output", options.output, "Write the profile here, for --rules");
   verb->add_flag("--json", options.json, "The card as JSON");

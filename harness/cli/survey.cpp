@@ -30,12 +30,11 @@ std::string refusalOf(const PoolOutcome& outcome) {
 
 }  // namespace
 
-DriverPass passOver(const std::vector<Job>& jobs, const std::string& driver) {
+DriverPass passOver(const std::vector<Job>& jobs, const DriverChoice& choice, unsigned workers, Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   DriverPass pass;
-  pass.driver = driver;
+  pass.driver = choice.driver;
   std::vector<std::pair<uint32_t, SceneEntry>> found;
-  Progress progress(jobs.size());
   PoolEvents events;
   events.opened = [&](std::string_view record) {
     if (Result<RunSubject> subject = readSubjectRecord(record); subject) pass.subject = std::move(*subject);
@@ -47,19 +46,18 @@ DriverPass passOver(const std::vector<Job>& jobs, const std::string& driver) {
     found.emplace_back(job, std::move(*entry));
     return true;
   };
-  events.died = [&](uint32_t job, const Death& death) { found.emplace_back(job, entryOfDeath(jobs[job], death)); };
+  events.died = [&](uint32_t job, const Death& death) {
+    found.emplace_back(job, entryOfDeath(jobs[job], death));
+    progress.done(found.back().second);
+  };
   events.tick = [&] { progress.tick(); };
 
-  DriverChoice choice;
-  choice.driver = driver;
-  choice.rules = "spec";  // a profile copies its driver's bugs
   PoolOptions pool;
-  pool.workers = coresToUse();
+  pool.workers = workers;
   pool.driverSeconds = watchdogSeconds(choice.timeoutSeconds);
   const std::vector<uint32_t> order = workOrder(jobs);
   const PoolOutcome outcome = runPool(
       order, pool, [&](WorkerLink& link) { checkScenes(link, choice, jobs, [](uint32_t) { return CheckSettings{}; }); }, events);
-  progress.clear();
   if (found.empty()) pass.refusal = refusalOf(outcome);
   std::ranges::sort(found, {}, &std::pair<uint32_t, SceneEntry>::first);
   for (auto& [job, entry] : found) {
@@ -67,7 +65,18 @@ DriverPass passOver(const std::vector<Job>& jobs, const std::string& driver) {
     pass.scenes.push_back(std::move(entry));
   }
   pass.stopped = outcome.stopped;
+  pass.notRun = outcome.notRun;
   pass.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return pass;
+}
+
+DriverPass passOver(const std::vector<Job>& jobs, const std::string& driver) {
+  DriverChoice choice;
+  choice.driver = driver;
+  choice.rules = "spec";  // a profile copies its driver's bugs
+  Progress progress(jobs.size());
+  DriverPass pass = passOver(jobs, choice, coresToUse(), progress);
+  progress.clear();
   return pass;
 }
 

@@ -103,6 +103,24 @@ std::optional<Scene> sliverScene(Prng& random, uint32_t samples, std::span<const
   });
 }
 
+std::optional<Scene> distanceScene(Prng& random, uint32_t samples, std::span<const Rules> contenders) {
+  return contested(random, contenders, [&] {
+    SceneSketch sketch("infer/distances", samples, 64);
+    Draw& draw = sketch.draw();
+    draw.clipDistanceCount = 1 + random.below(2);
+    for (int i = 0; i < 24; ++i) {
+      Corners corners;
+      for (ClipPosition& p : corners) {
+        p = someCorner(random, 1);
+        p.z = 0.5F * p.w;
+        for (uint32_t d = 0; d < draw.clipDistanceCount; ++d) draw.clipDistances.push_back(static_cast<float>(random.between(-1.0, 2.0)));
+      }
+      sketch.clipTriangle(corners);
+    }
+    return std::move(sketch.scene());
+  });
+}
+
 std::optional<Scene> outlineScene(Prng& random, uint32_t samples, bool distances, std::span<const Rules> contenders) {
   return contested(random, contenders, [&] {
     SceneSketch sketch("infer/outlines", samples, 64);

@@ -27,6 +27,9 @@ namespace rasterdiff::harness {
 /// fold what is left of them, or turn it over. None as above.
 [[nodiscard]] std::optional<Scene> sliverScene(Prng& random, uint32_t samples, std::span<const rasterizer::Rules> contenders);
 
+/// Triangles inside of the view volume, at all w, with one clip distance or two. None as above.
+[[nodiscard]] std::optional<Scene> distanceScene(Prng& random, uint32_t samples, std::span<const rasterizer::Rules> contenders);
+
 /// Triangles as lines or points, which leave the view volume, and through a clip distance if there are `distances`.
 /// None as above.
 [[nodiscard]] std::optional<Scene> outlineScene(Prng& random, uint32_t samples, bool distances,

@@ -36,7 +36,8 @@ void scatter(SceneSketch& sketch, Prng& random, int count, double size) {
   }
 }
 
-// Moves half of the points so that two of their sides lie within a grid step of a sample: there every rounding shows.
+// Moves half of the points so that two of their sides lie within a grid step of a sample, or much nearer: there every rounding
+// shows, that of the grid and that of float32. (Where samples are grid points, rounding sides up to the grid may change nothing.)
 void moveSidesToSamples(Scene& scene, Prng& random, const rasterizer::Rules& rules) {
   const std::vector<SubpixelPosition> pattern = *rasterizer::samplePattern(scene.target.samples, rules);
   const double step = std::ldexp(1.0, -rasterizer::gridBits(rules));
@@ -46,7 +47,8 @@ void moveSidesToSamples(Scene& scene, Prng& random, const rasterizer::Rules& rul
     const SubpixelPosition offset = pattern[random.below(pattern.size())];
     const double half = (random.chance(50) ? 0.5 : -0.5) * double{draw.pointSizes[i]};
     const auto place = [&](int32_t inPixel) {
-      return random.between(8, 56) + inPixel / double{kSubpixelOne} + half + random.between(-1.0, 1.0) * step;
+      const double beside = std::ldexp(step, random.chance(50) ? 0 : -random.between(8, 20));
+      return random.between(8, 56) + inPixel / double{kSubpixelOne} + half + random.between(-1.0, 1.0) * beside;
     };
     const double x = place(offset.x), y = place(offset.y);
     draw.positions[i] = clipFromPixels(scene.viewport, {x, y, 0.5, 1});

@@ -35,12 +35,17 @@ Question clipQuestion(const std::vector<uint32_t>& counts) {
            }}};
 }
 
+Question distanceQuestion(const std::vector<uint32_t>& counts) {
+  return {"clip distances",
+          {{Choice::ClipDistances}, 24, [counts](Prng& random, uint32_t round, Contenders contenders) {
+             return distanceScene(random, inTurn(counts, round), contenders);
+           }}};
+}
+
 Question outlineQuestion(const std::vector<uint32_t>& counts) {
   return {"outlines",
           {{Choice::CutOutline}, 30, [counts](Prng& random, uint32_t round, Contenders contenders) {
-             // Lines that are cut for themselves may leave distances to the fragments, which is no matter of outlines.
-             const bool uncut = contenders.front().choices.cutOutline == rasterizer::CutOutline::Uncut;
-             return outlineScene(random, inTurn(counts, round), round >= 10 && !uncut, contenders);
+             return outlineScene(random, inTurn(counts, round), round >= 10, contenders);
            }}};
 }
 
@@ -112,8 +117,8 @@ Question tieQuestion(const Limits& limits, std::vector<SampleSweep> sweeps) {
 
 std::vector<Question> furtherQuestions(const Limits& limits) {
   const std::vector<uint32_t> counts = sampleCounts(limits);
-  std::vector<Question> questions{gridQuestion(counts), clipQuestion(counts), pointQuestion(counts),
-                                  lineQuestion(counts, limits), outlineQuestion(counts), regionQuestion(counts), planeQuestion(), biasQuestion()};
+  std::vector<Question> questions{gridQuestion(counts), regionQuestion(counts), clipQuestion(counts), distanceQuestion(counts), pointQuestion(counts),
+                                  lineQuestion(counts, limits), outlineQuestion(counts), planeQuestion(), biasQuestion()};
   if (counts.back() > 1) {
     questions.push_back(centroidQuestion(counts.back()));
     questions.push_back(resolveQuestion(counts.back()));

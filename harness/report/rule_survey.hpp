@@ -19,6 +19,7 @@ struct DriverPass {
   RunSubject subject;
   std::vector<SceneEntry> scenes;  ///< judged against the baseline
   std::string stopped;             ///< why scenes were left out, or empty
+  uint64_t notRun = 0;             ///< how many
   double seconds = 0;
 };
 

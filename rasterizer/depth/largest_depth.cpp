@@ -14,8 +14,7 @@ Interval largestDepth(std::span<const RasterVertex* const> vertices) {
   return largest;
 }
 
-Interval largestByFirstDifferences(const Primitive& primitive) {
-  const auto& clip = primitive.clip;
+std::array<size_t, 3> farthestFirst(const std::array<ClipPosition, 3>& clip) {
   std::array<size_t, 3> order{0, 1, 2};
   const auto bring = [&order](const std::array<bool, 3>& wanted) {
     if (wanted[1]) std::rotate(order.begin(), order.begin() + 1, order.end());
@@ -26,6 +25,12 @@ Interval largestByFirstDifferences(const Primitive& primitive) {
   const auto w = [&](size_t i) { return clip[order[i]].w; };
   const float farthest = std::max({w(0), w(1), w(2)});
   bring({false, w(1) == farthest, w(2) == farthest});
+  return order;
+}
+
+Interval largestByFirstDifferences(const Primitive& primitive) {
+  const auto& clip = primitive.clip;
+  const std::array<size_t, 3> order = farthestFirst(clip);
   const auto scale = static_cast<float>(primitive.viewport.z.scale), offset = static_cast<float>(primitive.viewport.z.offset());
   const auto depth = [&](size_t i) { return clip[order[i]].z * (1.0F / clip[order[i]].w); };
   const float first = depth(0);

@@ -63,6 +63,23 @@ class SquarePoint final : public Shape {
   Axis x_, y_;
 };
 
+// As snapFrom, halves to even.
+int64_t snapEven(float origin, float pixels) {
+  constexpr double kLimit = 1 << 28;
+  const float steps = static_cast<float>(kSubpixelOne) * (pixels - origin);
+  return static_cast<int64_t>(std::nearbyint(std::clamp(double{steps}, -kLimit, kLimit))) + static_cast<int64_t>(origin * kSubpixelOne);
+}
+
+// The centre snapped, the side in whole subpixels (halves up, or to even) and at least a pixel, its half rounded down.
+Interval aroundSnapped(float centre, float size, bool even, const VertexStage& stage) {
+  const double subpixels = double{size} * kSubpixelOne;
+  const auto whole = static_cast<int64_t>(even ? std::nearbyint(subpixels) : std::floor(subpixels + 0.5));
+  const auto side = std::max<int64_t>(kSubpixelOne, whole);
+  const float origin = stage.samples == 1 ? 0.5F : 0.0F;
+  const int64_t low = (even ? snapEven(origin, centre) : snapFrom(origin, centre)) - side / 2;
+  return {low, low + side};
+}
+
 // A square of corners made in clip space, as a polygon's vertices are. // 0.5 / (½ · viewport) = one pixel, halved
 Interval clipCorners(float coordinate, float w, const ViewportAxis& axis, float size, bool ownsLow, const VertexStage& stage) {
   const float half = size * w * (0.5F / static_cast<float>(std::fabs(axis.scale)));
@@ -98,20 +115,18 @@ std::unique_ptr<Shape> makePointShape(const ClipPosition& position, const Raster
     SquarePoint::Axis result;
     result.low = place * kSubpixelOne - half;
     result.high = place * kSubpixelOne + half;
-    if (stage.rules.choices.pointArithmetic == PointArithmetic::SnappedCentre) {
-      // The centre snapped, the side in whole subpixels (halves up) and at least a pixel, its half rounded down.
-      const auto side = std::max<int64_t>(kSubpixelOne, static_cast<int64_t>(std::floor(double{size.requested} * kSubpixelOne + 0.5)));
-      const int64_t low = snapFrom(stage.samples == 1 ? 0.5F : 0.0F, inFloat) - side / 2;
-      result.nominal = {low, low + side};
+    const PointArithmetic arithmetic = stage.rules.choices.pointArithmetic;
+    if (arithmetic == PointArithmetic::SnappedCentre || arithmetic == PointArithmetic::SnappedCentreEven) {
+      result.nominal = aroundSnapped(inFloat, size.requested, arithmetic == PointArithmetic::SnappedCentreEven, stage);
       result.low = static_cast<double>(result.nominal.low);
       result.high = static_cast<double>(result.nominal.high);
-    } else if (stage.rules.choices.pointArithmetic == PointArithmetic::SnappedCorners) {
+    } else if (arithmetic == PointArithmetic::SnappedCorners) {
       const auto side = static_cast<int64_t>(std::nearbyint(half));  // to either side of the snapped vertex
       const int64_t shift = ownsLow ? 0 : 1;
       result.low = static_cast<double>(snapped - side);
       result.high = static_cast<double>(snapped + side);
       result.nominal = {snapped - side + shift, snapped + side + shift};
-    } else if (stage.rules.choices.pointArithmetic == PointArithmetic::ClipCorners) {
+    } else if (arithmetic == PointArithmetic::ClipCorners) {
       result.nominal = clipCorners(coordinate, position.w, viewportAxis, size.requested, ownsLow, stage);
       result.low = static_cast<double>(result.nominal.low);
       result.high = static_cast<double>(result.nominal.high);
