@@ -44,7 +44,7 @@ TEST_P(HuntedMutant, IsFoundAndShrunk) {
   const Shrunk shrunk = shrink(raw.front().scene, raw.front().signature.kind, judging);
   EXPECT_EQ(shrunk.judgement.verdict, Verdict::Differs);
   EXPECT_NE(find(shrunk.judgement, raw.front().signature.kind), nullptr);
-  const uint32_t primitives = primitiveCount(shrunk.scene), pixels = shrunk.scene.target.width * shrunk.scene.target.height;
+  const uint64_t primitives = primitiveCount(shrunk.scene), pixels = uint64_t{shrunk.scene.target.width} * shrunk.scene.target.height;
   std::cout << "[ HUNT     ] " << GetParam().name << ": " << scenes << " scenes, " << shrunk.attempts << " to shrink, " << primitives
             << " primitive(s), " << shrunk.scene.target.width << " x " << shrunk.scene.target.height << " pixels, " << shrunk.kind << ": "
             << namesOf(traitsOf(shrunk.scene)) << "\n";

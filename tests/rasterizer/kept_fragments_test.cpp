@@ -8,6 +8,7 @@ namespace {
 
 Rules droppingRules() {
   Rules rules = testing::referenceRules();
+  rules.limits.pointSizeMax = 64;
   rules.choices.clipDistances = ClipDistances::Fragments;
   return rules;
 }
