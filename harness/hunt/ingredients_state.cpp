@@ -62,7 +62,7 @@ void clipControl(Kitchen& k) { k.scene.state.negativeOneToOne = k.limits.depthCl
 void lines(Kitchen& k) {
   using enum LineRasterizationMode;
   State& state = k.scene.state;
-  const LineRasterizationMode mode = oneOf(k.random, {DEFAULT, RECTANGULAR, RECTANGULAR, BRESENHAM, BRESENHAM, RECTANGULAR_SMOOTH});
+  const LineRasterizationMode mode = oneOf(k.random, {DEFAULT, RECTANGULAR, RECTANGULAR, BRESENHAM, BRESENHAM, RECTANGULAR_SMOOTH, RECTANGULAR_SMOOTH});
   const bool offered = mode == DEFAULT || (mode == RECTANGULAR  ? k.limits.rectangularLines
                                            : mode == BRESENHAM ? k.limits.bresenhamLines
                                                                : k.limits.smoothLines);

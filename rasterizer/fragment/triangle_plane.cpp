@@ -19,10 +19,9 @@ TrianglePlane::TrianglePlane(const std::array<FramebufferPosition, 3>& corners, 
   e2y_ = y_[2] - y_[0];
   determinant_ = e1x_ * e2y_ - e1y_ * e2x_;
   const double area = std::fabs(determinant_);
-  const double aroundX = std::fabs(e1x_) + std::fabs(e2x_) + std::fabs(e2x_ - e1x_);  // twice the width
-  const double aroundY = std::fabs(e1y_) + std::fabs(e2y_) + std::fabs(e2y_ - e1y_);
-  perimeter_ = aroundX + aroundY;
-  crossing_ = aroundX * aroundY / area;
+  width_ = (std::fabs(e1x_) + std::fabs(e2x_) + std::fabs(e2x_ - e1x_)) / 2;
+  height_ = (std::fabs(e1y_) + std::fabs(e2y_) + std::fabs(e2y_ - e1y_)) / 2;
+  perimeter_ = 2 * (width_ + height_);
   condition_ = 1 + (std::fabs(e1x_ * e2y_) + std::fabs(e1y_ * e2x_)) / area;
   sensitivity_ = (deviation_ * perimeter_ + 6 * deviation_ * deviation_) / area;
 }
@@ -48,7 +47,7 @@ LinearFunction TrianglePlane::through(const std::array<double, 3>& a, double inp
   }
   if (undetermined()) {
     // A sliver whose area a legal placement can halve or lose: its plane is not determined.
-    result.constantRadius = d1 == 0 && d2 == 0 ? kHalfUlp * largest * std::max(4 * condition_, kWeightRoundings * crossing_) : kUnbounded;
+    result.constantRadius = d1 == 0 && d2 == 0 ? kHalfUlp * largest * std::max(4 * condition_, kWeightRoundings * 4 * width_ * height_ / std::fabs(determinant_)) : kUnbounded;
     return result;
   }
   const double area = std::fabs(determinant_);
@@ -66,9 +65,12 @@ LinearFunction TrianglePlane::through(const std::array<double, 3>& a, double inp
   result.farX = std::max({std::fabs(x_[0]), std::fabs(x_[1]), std::fabs(x_[2])});
   result.farY = std::max({std::fabs(y_[0]), std::fabs(y_[1]), std::fabs(y_[2])});
   // Instead of differences of values, weights may be summed: gx = Σ vᵢ (edge i in y / det), gy likewise. Each term is rounded by itself,
-  // also where they cancel, as those of a constant do: gx errs by kWeightRoundings · 2^-24 · max |v| · Σ |edge in y| / |det|, over at
-  // most the triangle's width and what is outside. An evaluation is one or the other, so that the larger bound is that of both.
-  const double weights = kHalfUlp * kWeightRoundings * largest * (crossing_ + outside * perimeter_ / area);
+  // also where they cancel, as those of a constant do: gx errs by kWeightRoundings · 2^-24 · max |v| · Σ |edge in y| / |det|, where the
+  // edges in y sum up to twice the height; over a way of Σ |bᵢ| widths, and what is outside. The determinant, which all terms share, errs as
+  // above. An evaluation is one or the other, so that the larger bound is that of both.
+  const double wayX = reach_ * width_ + outside, wayY = reach_ * height_ + outside;
+  const double weights = kHalfUlp * (kWeightRoundings * largest * 2 * (height_ * wayX + width_ * wayY) / (area * (1 - sensitivity_)) +
+                                     3 * condition_ * (gradientX * wayX + gradientY * wayY));
   const double differences = result.radiusPerX * (result.farX + 1) + result.radiusPerY * (result.farY + 1);
   result.constantRadius = std::max(spread * 3 * kHalfUlp * largest, weights - differences) + spread * (inputError + deviation_ * steepest);
   return result;

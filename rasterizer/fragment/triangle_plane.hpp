@@ -35,7 +35,7 @@ class TrianglePlane {
   double x_[3], y_[3];
   double e1x_, e1y_, e2x_, e2y_, determinant_;
   double perimeter_;    // L1, pixels
-  double crossing_;     // (Σ |edge in y| · width + Σ |edge in x| · height) / |det|
+  double width_, height_;  // pixels
   double deviation_;    // pixels
   double condition_;    // 1 + (|e| + |f|) / |det|: how much the determinant's cancellation amplifies roundings
   double reach_ = 1;    // bound on Σ |bᵢ| where the planes are evaluated
