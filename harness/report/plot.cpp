@@ -185,7 +185,8 @@ std::string svgSheet(const std::string& title, const std::string& subtitle, std:
   for (size_t i = 0; i < plots.size(); ++i) {
     const int x = kGap + static_cast<int>(i % kColumns) * (kPlotWidth + kGap), y = kHead + static_cast<int>(i / kColumns) * (kPlotHeight + kGap);
     fmt::format_to(out, "<rect class=\"card\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"10\"/>\n", x, y, kPlotWidth, kPlotHeight);
-    fmt::format_to(out, "<g transform=\"translate({} {})\">{}</g>\n", x, y, plots[i]);
+    // A plot is as large as what it is in: without a size that would be the sheet.
+    fmt::format_to(out, "<svg x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\">{}</svg>\n", x, y, kPlotWidth, kPlotHeight, plots[i]);
   }
   return text + "</svg>\n";
 }
