@@ -42,10 +42,9 @@ HWY_INLINE hn::Vec<F> RoundedUp(V value) {
   return hn::BitCast(f, turned(turned(hn::BitCast(di, rounded)) + below));
 }
 
-HWY_INLINE void PutBounds(const SettledRun& run, double offset, double y, const SettledRow& row) {
+HWY_INLINE void PutBounds(const SettledRun& run, const LinearFunction& p, double offset, double y, Bounds* to) {
   const D d;
   const F f;
-  const LinearFunction& p = *run.depth;
   const V rise = hn::Set(d, p.dy * (y - p.y0)), a0 = hn::Set(d, p.value), gx = hn::Set(d, p.dx), x0 = hn::Set(d, p.x0), one = hn::Set(d, 1);
   const V constant = hn::Set(d, p.constantRadius), perX = hn::Set(d, p.radiusPerX), farX = hn::Set(d, p.farX);
   const V alongY = hn::Set(d, p.radiusPerY * (std::max(p.farY, y) + 1));
@@ -60,26 +59,22 @@ HWY_INLINE void PutBounds(const SettledRun& run, double offset, double y, const 
     const M bounded = hn::And(hn::Eq(lo, lo), hn::Eq(hi, hi));
     const auto low = hn::Neg(RoundedUp(hn::IfThenElse(bounded, hn::Neg(lo), infinity)));
     const auto high = RoundedUp(hn::IfThenElse(bounded, hi, infinity));
-    hn::StoreU(hn::Min(low, hn::Set(f, 1)), f, row.lo + i);
     // std::max(high, 0) keeps a zero's sign.
-    hn::StoreU(hn::IfThenElse(hn::Lt(high, hn::Zero(f)), hn::Zero(f), high), f, row.hi + i);
+    hn::StoreInterleaved2(hn::Min(low, hn::Set(f, 1)), hn::IfThenElse(hn::Lt(high, hn::Zero(f)), hn::Zero(f), high), f, &to[i].lo);
   }
 }
 
-void SettleRuns(std::span<const SettledRun> runs, double offset, double y, Bounds none, const SettledRow& row) {
+void SettleRuns(std::span<const SettledRun> runs, std::span<const LinearFunction> planes, double offset, double y, Bounds none, const SettledRow& row) {
   const F f;
   const U u;
   for (const SettledRun& run : runs) {
     for (size_t i = run.begin; i < run.end; i += kLanes) hn::StoreU(hn::Set(u, run.primitive), u, row.primitive + i);
-    if (row.lo == nullptr) continue;
-    if (run.depth != nullptr) {
-      PutBounds(run, offset, y, row);
+    if (row.bounds == nullptr) continue;
+    if (run.plane != 0) {
+      PutBounds(run, planes[run.plane - 1], offset, y, row.bounds);
       continue;
     }
-    for (size_t i = run.begin; i < run.end; i += kLanes) {
-      hn::StoreU(hn::Set(f, none.lo), f, row.lo + i);
-      hn::StoreU(hn::Set(f, none.hi), f, row.hi + i);
-    }
+    for (size_t i = run.begin; i < run.end; i += kLanes) hn::StoreInterleaved2(hn::Set(f, none.lo), hn::Set(f, none.hi), f, &row.bounds[i].lo);
   }
 }
 
@@ -95,8 +90,8 @@ HWY_EXPORT(SettleRuns);
 
 size_t findRuns(const uint32_t* numbers, size_t width, uint32_t* starts) { return HWY_DYNAMIC_DISPATCH(FindRuns)(numbers, width, starts); }
 
-void settleRuns(std::span<const SettledRun> runs, double offset, double y, Bounds none, const SettledRow& row) {
-  HWY_DYNAMIC_DISPATCH(SettleRuns)(runs, offset, y, none, row);
+void settleRuns(std::span<const SettledRun> runs, std::span<const LinearFunction> planes, double offset, double y, Bounds none, const SettledRow& row) {
+  HWY_DYNAMIC_DISPATCH(SettleRuns)(runs, planes, offset, y, none, row);
 }
 
 }  // namespace rasterdiff::rasterizer

@@ -1,0 +1,210 @@
+#include "rasterizer/kernel_pieces.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "rasterizer/cut_polygon.hpp"
+#include "rasterizer/geometry_parts.hpp"
+#include "rasterizer/parallel.hpp"
+#include "rasterizer/piece_maker.hpp"
+#include "rasterizer/target_area.hpp"
+#include "scene/primitive_class.hpp"
+
+namespace rasterdiff::rasterizer {
+namespace {
+
+constexpr uint32_t kVerticesAtOnce = 1024;  // of one thread, a multiple of every vector's length
+
+// Twice the area, > 0 for a triangle that is clockwise to the eye.
+// Q23.8 × Q23.8 → Q47.16: inside of the view volume coordinates are within ±2^28 (kGuardBand), differences ±2^29, products ±2^58.
+int64_t doubleAreaOf(const SubpixelPosition& a, const SubpixelPosition& b, const SubpixelPosition& c) {
+  return (int64_t{b.x} - a.x) * (int64_t{c.y} - a.y) - (int64_t{b.y} - a.y) * (int64_t{c.x} - a.x);
+}
+
+bool readsIndicesAsTheyAre(const State& state) {
+  return state.topology == PrimitiveTopology::TRIANGLE_LIST && !state.primitiveRestartEnable;
+}
+
+}  // namespace
+
+/// Fills one part from a range of primitives.
+class KernelGeometry::Maker {
+ public:
+  Maker(const KernelGeometry& all, KernelPieces& part, RuleCounts& counts)
+      : all_(all), part_(part), counts_(counts), places_(all.rules_), pieceMaker_(all.scene_.state, all.rules_, counts),
+        deep_(all.scene_.target.depthFormat.has_value()), mayWiden_(all.rules_.openValues()) {
+    part_.bands.resize(all.rows_.bandsOf(all.scene_.target.height));
+  }
+
+  void reserve(size_t pieces) {
+    part_.positions.reserve(pieces);
+    part_.primitives.reserve(pieces);
+    if (deep_) part_.corners.reserve(pieces);
+  }
+
+  /// Primitives [first, end) of a draw.
+  void add(const Draw& draw, const DrawPlace& place, size_t first, size_t end) {
+    PrimitiveMaker others(all_.scene_, all_.rules_, draw, place.clipped, counts_, [this](const Primitive& primitive) { addMade(primitive); });
+    const auto addAll = [&](const auto& verticesOf) {
+      for (size_t i = first; i < end; ++i) {
+        const AssembledTriangle assembled = verticesOf(i);
+        const uint32_t number = place.firstPrimitive + static_cast<uint32_t>(i) + 1;
+        if (!addWhole(assembled.vertices, place.firstVertex, number)) others.make(number, assembled);
+      }
+    };
+    const State& state = all_.scene_.state;
+    if (!readsIndicesAsTheyAre(state)) {
+      const std::vector<AssembledTriangle> assembled = assemble(draw, state);
+      return addAll([&](size_t i) { return assembled[i]; });
+    }
+    const auto at = [&](const auto& vertex) {
+      return [&vertex](size_t i) {
+        const auto base = static_cast<uint32_t>(3 * i);
+        const std::array<uint32_t, 3> vertices{vertex(base), vertex(base + 1), vertex(base + 2)};
+        return AssembledTriangle{vertices, vertices[0]};
+      };
+    };
+    if (draw.indices) {
+      const uint32_t* const indices = draw.indices->data();
+      addAll(at([indices](uint32_t k) { return indices[k]; }));
+    } else {
+      addAll(at([](uint32_t k) { return k; }));
+    }
+  }
+
+  /// Pieces of a primitive that geometry.hpp made.
+  void addMade(const Primitive& primitive) {
+    if (mayWiden_) part_.folded = part_.folded || isFolded(primitive.polygon, CutFill::Polygon);
+    for (const SetupTriangle& piece : primitive.pieces) {
+      if (piece.culled) continue;
+      std::array<uint32_t, 3> corners{};
+      SnappedTriangle positions;
+      for (size_t k = 0; k < 3; ++k) {
+        const RasterVertex& vertex = primitive.polygon[piece.corner[k]];
+        positions.v[k] = vertex.snapped;
+        if (!deep_) continue;
+        corners[k] = kMade + static_cast<uint32_t>(part_.made.size());
+        part_.made.push_back(depthVertex(vertex, places_));
+      }
+      put(positions, corners, primitive.number);
+    }
+  }
+
+ private:
+  /// False: some corner has no place.
+  bool addWhole(std::array<uint32_t, 3> v, uint32_t firstVertex, uint32_t number) {
+    for (uint32_t& vertex : v) vertex += firstVertex;
+    const StagedVertices& vertices = all_.vertices_;
+    if ((vertices.codes[v[0]] | vertices.codes[v[1]] | vertices.codes[v[2]]) != 0) return false;
+    SnappedTriangle positions{{vertices.snapped[v[0]], vertices.snapped[v[1]], vertices.snapped[v[2]]}};
+    const int64_t area = doubleAreaOf(positions.v[0], positions.v[1], positions.v[2]);
+    const CullMode cullMode = all_.scene_.state.cullMode;
+    if (cullMode != CullMode::NONE) {
+      const bool culled = pieceMaker_.isCulled(static_cast<double>(area));  // only its sign counts
+      if (cullMode != CullMode::FRONT_AND_BACK) ++counts_[Rule::Facing];
+      if (culled) ++counts_[Rule::Culling];
+      if (culled) return true;
+    }
+    if (area == 0) return true;
+    const bool turned = area < 0;
+    const std::array<SubpixelPosition, 2> last{positions.v[turned ? 2 : 1], positions.v[turned ? 1 : 2]};
+    positions.v[1] = last[0], positions.v[2] = last[1];
+    put(positions, {v[0], v[turned ? 2 : 1], v[turned ? 1 : 2]}, number);
+    return true;
+  }
+
+  void put(const SnappedTriangle& positions, const std::array<uint32_t, 3>& corners, uint32_t number) {
+    const auto [low, high] = std::minmax({positions.v[0].y, positions.v[1].y, positions.v[2].y});
+    const auto shift = static_cast<int>(kSubpixelBits + all_.rows_.shift);
+    const int32_t first = std::max(low, 0) >> shift, last = std::min(high >> shift, static_cast<int32_t>(part_.bands.size()) - 1);
+    if (first > last) return;
+    const auto piece = static_cast<uint32_t>(part_.positions.size());
+    part_.positions.push_back(positions);
+    part_.primitives.push_back(number);
+    if (deep_) part_.corners.push_back(corners);
+    for (int32_t band = first; band <= last; ++band) part_.bands[static_cast<size_t>(band)].push_back(piece);
+  }
+
+  const KernelGeometry& all_;
+  KernelPieces& part_;
+  RuleCounts& counts_;
+  const PlanePlaces places_;
+  const PieceMaker pieceMaker_;
+  const bool deep_, mayWiden_;
+};
+
+namespace {
+
+size_t vertexCountOf(const Scene& scene) {
+  size_t vertices = 0;
+  for (const Draw& draw : scene.draws) vertices += draw.positions.size();
+  return vertices;
+}
+
+}  // namespace
+
+KernelGeometry::KernelGeometry(const Scene& scene, const Rules& rules, BandRows rows, std::span<RuleCounts> counts)
+    : scene_(scene), rules_(rules), rows_(rows), vertices_(stagesInVectors(rules) ? vertexCountOf(scene) : 0, scene.target.depthFormat.has_value()),
+      parts_(counts.size()) {
+  stage(counts);
+  const bool inVectors = std::ranges::all_of(draws_, &DrawPlace::inVectors);
+  const size_t primitives = primitiveCount(scene);
+  std::vector<Maker> makers;
+  for (size_t k = 0; k < counts.size(); ++k) makers.emplace_back(*this, parts_[k], counts[k]);
+  if (!inVectors) {
+    std::vector<PrimitiveVisitor> visitors;
+    for (Maker& maker : makers) visitors.emplace_back([&maker](const Primitive& primitive) { maker.addMade(primitive); });
+    forEachPrimitive(scene, rules, counts, visitors);
+    return;
+  }
+  inParallel(static_cast<unsigned>(counts.size()), [&](unsigned k) {
+    const size_t first = primitives * k / counts.size(), end = primitives * (k + 1) / counts.size();
+    makers[k].reserve(end - first);
+    for (size_t d = 0; d < draws_.size(); ++d) {
+      const DrawPlace& place = draws_[d];
+      const size_t from = std::max<size_t>(first, place.firstPrimitive), to = std::min<size_t>(end, size_t{place.firstPrimitive} + place.primitives);
+      if (from < to) makers[k].add(scene.draws[d], place, from - place.firstPrimitive, to - place.firstPrimitive);
+    }
+  });
+}
+
+bool KernelGeometry::folded() const { return std::ranges::any_of(parts_, &KernelPieces::folded); }
+
+bool KernelGeometry::servesInVectors(const Draw& draw, bool clipped) const {
+  const State& state = scene_.state;
+  if (draw.cullDistanceCount > 0 || !state.depthClipEnable.value_or(!state.depthClampEnable)) return false;
+  // [choice:cull-position] all by what is snapped.
+  const CullPosition position = rules_.choices.cullPosition;
+  return position == CullPosition::Snapped || (position == CullPosition::AlsoFloat && (state.cullMode == CullMode::NONE || !clipped));
+}
+
+void KernelGeometry::stage(std::span<RuleCounts> counts) {
+  DrawPlace place;
+  const Viewport whole{0, 0, static_cast<float>(scene_.target.width), static_cast<float>(scene_.target.height), 0, 1};
+  std::vector<RuleCounts> decided(counts.size());
+  for (const Draw& draw : scene_.draws) {
+    place.primitives = primitiveCount(scene_.state, draw);
+    if (stagesInVectors(rules_)) {
+      const VertexStage stage = vertexStage(scene_, rules_, draw.viewportIndex);
+      const ClipVolume volume = clipVolume(scene_.state, draw, rules_.error);
+      const size_t size = draw.positions.size(), pieces = (size + kVerticesAtOnce - 1) / kVerticesAtOnce;
+      const auto threads = static_cast<unsigned>(counts.size());
+      inParallel(threads, [&](unsigned k) {
+        const size_t first = std::min(size, pieces * k / threads * kVerticesAtOnce), end = std::min(size, pieces * (k + 1) / threads * kVerticesAtOnce);
+        decided[k][Rule::Division] +=
+            stageVertices(std::span(draw.positions).subspan(first, end - first), stage, volume, place.firstVertex + first, vertices_);
+      });
+      if (viewportOf(scene_, draw.viewportIndex) != whole) decided[0][Rule::ViewportMap] += size;
+      const auto codes = std::span(vertices_.codes).subspan(place.firstVertex, size);
+      place.clipped = std::ranges::any_of(codes, [](uint32_t code) { return (code & ~kNoPlace) != 0; });
+      place.inVectors = servesInVectors(draw, place.clipped);
+    }
+    draws_.push_back(place);
+    place.firstVertex += static_cast<uint32_t>(draw.positions.size());
+    place.firstPrimitive += place.primitives;
+  }
+  if (!std::ranges::all_of(draws_, &DrawPlace::inVectors)) return;  // geometry.hpp counts for itself
+  for (size_t k = 0; k < counts.size(); ++k) counts[k] += decided[k];
+}
+
+}  // namespace rasterdiff::rasterizer
