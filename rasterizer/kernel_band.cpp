@@ -57,23 +57,34 @@ BandTally BandDrawer::draw(uint32_t band, bool counted) {
 }
 
 void BandDrawer::gather(uint32_t band) {
-  positions_.clear();
-  corners_.clear();
-  primitives_.clear();
-  errors_.clear();
+  constexpr size_t kAhead = 16;
+  size_t size = 0;
+  for (const KernelPieces& part : geometry_.parts()) size += part.bands[band].size();
+  const bool deep = frame_.depth.has_value();
+  positions_.resize(size);
+  primitives_.resize(size);
+  corners_.resize(deep ? size : 0);
+  errors_.resize(deep ? size : 0);
+  size_t at = 0;
   for (const KernelPieces& part : geometry_.parts()) {
-    for (const uint32_t piece : part.bands[band]) {
-      positions_.push_back(part.positions[piece]);
-      primitives_.push_back(part.primitives[piece]);
-      if (!frame_.depth) continue;
-      DepthCorners& corners = corners_.emplace_back();
-      CornerErrors& errors = errors_.emplace_back();
+    const std::vector<uint32_t>& pieces = part.bands[band];
+    for (size_t i = 0; i < pieces.size(); ++i, ++at) {
+      const uint32_t piece = pieces[i], ahead = pieces[std::min(i + kAhead, pieces.size() - 1)];
+      __builtin_prefetch(&part.positions[ahead]);
+      __builtin_prefetch(&part.primitives[ahead]);
+      positions_[at] = part.positions[piece];
+      primitives_[at] = part.primitives[piece];
+      if (!deep) continue;
+      for (const uint32_t corner : part.corners[ahead]) __builtin_prefetch(&geometry_.corner(part, corner));
+      DepthCorners& corners = corners_[at];
+      CornerErrors errors;
       for (size_t k = 0; k < 3; ++k) {
         const DepthVertex& v = geometry_.corner(part, part.corners[piece][k]);
         corners.x[k] = v.x, corners.y[k] = v.y, corners.z[k] = v.z;
         errors.deviation = std::max(errors.deviation, v.deviation);
         errors.inputError = std::max(errors.inputError, v.error);
       }
+      errors_[at] = errors;
     }
   }
 }

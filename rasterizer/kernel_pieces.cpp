@@ -91,11 +91,16 @@ class KernelGeometry::Maker {
   }
 
  private:
-  /// False: some corner has no place.
+  /// False: some corner is outside of what clips it, or has no place.
   bool addWhole(std::array<uint32_t, 3> v, uint32_t firstVertex, uint32_t number) {
     for (uint32_t& vertex : v) vertex += firstVertex;
     const StagedVertices& vertices = all_.vertices_;
-    if ((vertices.codes[v[0]] | vertices.codes[v[1]] | vertices.codes[v[2]]) != 0) return false;
+    const uint32_t codes[]{vertices.codes[v[0]], vertices.codes[v[1]], vertices.codes[v[2]]};
+    if ((codes[0] | codes[1] | codes[2]) != 0) {
+      const bool outside = (codes[0] & codes[1] & codes[2] & ~kNoPlace) != 0;  // of one and the same plane
+      if (outside) ++counts_[Rule::ViewVolume];
+      return outside;
+    }
     SnappedTriangle positions{{vertices.snapped[v[0]], vertices.snapped[v[1]], vertices.snapped[v[2]]}};
     const int64_t area = doubleAreaOf(positions.v[0], positions.v[1], positions.v[2]);
     const CullMode cullMode = all_.scene_.state.cullMode;

@@ -30,8 +30,11 @@ size_t FindRuns(const uint32_t* HWY_RESTRICT numbers, size_t width, uint32_t* HW
   return size;
 }
 
-/// roundedUp of each.
+/// roundedUp of each: the least float that is not below.
 HWY_INLINE hn::Vec<F> RoundedUp(V value) {
+#if HWY_TARGET <= HWY_AVX3
+  return hn::Vec<F>{_mm512_cvt_roundpd_ps(value.raw, _MM_FROUND_TO_POS_INF | _MM_FROUND_NO_EXC)};
+#else
   const D d;
   const F f;
   const DI di;
@@ -40,6 +43,15 @@ HWY_INLINE hn::Vec<F> RoundedUp(V value) {
   const auto magnitude = hn::Set(di, 0x7FFFFFFF);
   const auto turned = [&](auto bits) { return hn::Xor(bits, hn::And(hn::ShiftRight<31>(bits), magnitude)); };
   return hn::BitCast(f, turned(turned(hn::BitCast(di, rounded)) + below));
+#endif
+}
+
+HWY_INLINE hn::Vec<F> RoundedDown(V value) {
+#if HWY_TARGET <= HWY_AVX3
+  return hn::Vec<F>{_mm512_cvt_roundpd_ps(value.raw, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC)};
+#else
+  return hn::Neg(RoundedUp(hn::Neg(value)));
+#endif
 }
 
 HWY_INLINE void PutBounds(const SettledRun& run, const LinearFunction& p, double offset, double y, Bounds* to) {
@@ -57,7 +69,7 @@ HWY_INLINE void PutBounds(const SettledRun& run, const LinearFunction& p, double
     const V radius = ((constant + perX * (far + one)) + alongY) + hn::Set(d, kHalfUlp) * hn::Abs(value);
     const V lo = value - radius, hi = value + radius;
     const M bounded = hn::And(hn::Eq(lo, lo), hn::Eq(hi, hi));
-    const auto low = hn::Neg(RoundedUp(hn::IfThenElse(bounded, hn::Neg(lo), infinity)));
+    const auto low = RoundedDown(hn::IfThenElse(bounded, lo, hn::Neg(infinity)));
     const auto high = RoundedUp(hn::IfThenElse(bounded, hi, infinity));
     // std::max(high, 0) keeps a zero's sign.
     hn::StoreInterleaved2(hn::Min(low, hn::Set(f, 1)), hn::IfThenElse(hn::Lt(high, hn::Zero(f)), hn::Zero(f), high), f, &to[i].lo);
