@@ -23,13 +23,14 @@ ValueTarget bandTarget(const Frame& frame, uint32_t rows) {
 
 BandTally& BandTally::operator+=(const BandTally& other) {
   rows += other.rows;
-  met += other.met, drawn += other.drawn, covered += other.covered;
+  met += other.met, drawn += other.drawn, covered += other.covered, ofCut += other.ofCut, ofMany += other.ofMany;
   return *this;
 }
 
 BandDrawer::BandDrawer(const KernelGeometry& geometry, Frame& frame, std::span<const SubpixelPosition> pattern, const Interpolated& clear,
-                       BandRows rows)
+                       BandRows rows, std::unique_ptr<KernelInputs> inputs)
     : geometry_(geometry), frame_(frame), pattern_(pattern), clear_(clear), rows_(rows), target_(bandTarget(frame, rows.rows())),
+      inputs_(std::move(inputs)),
       starts_(frame.width + kRowSlack), rowPrimitives_(size_t{frame.samples} * (frame.width + kRowSlack)),
       rowBounds_(frame.depth ? rowPrimitives_.size() : 0) {}
 
@@ -45,7 +46,9 @@ BandTally BandDrawer::draw(uint32_t band, bool counted) {
   BandTally tally;
   tally.met = drawBand(triangles, target_, firstRow, firstRow + rows, 0);
   if (counted) {
-    tally.rows = tallyRows(positions_, {static_cast<int32_t>(frame_.width), static_cast<int32_t>(firstRow), static_cast<int32_t>(firstRow + rows), pattern_});
+    const TallyArea area{static_cast<int32_t>(frame_.width), static_cast<int32_t>(firstRow), static_cast<int32_t>(firstRow + rows), pattern_};
+    tally.rows = tallyRows(positions_, area);
+    if (inputs_) countCut(area, tally);
   }
   findRuns(rows);
   for (const SettledRun& run : runs_) tally.covered += run.primitive != 0 ? run.end - run.begin : 0;
@@ -54,6 +57,16 @@ BandTally BandDrawer::draw(uint32_t band, bool counted) {
     copyRow(row, firstRow + row, tally);
   }
   return tally;
+}
+
+void BandDrawer::countCut(const TallyArea& area, BandTally& tally) {
+  std::vector<SnappedTriangle> cut, many;
+  for (size_t i = 0; i < origins_.size(); ++i) {
+    if (origins_[i].cut) cut.push_back(positions_[i]);
+    if (origins_[i].many) many.push_back(positions_[i]);
+  }
+  tally.ofCut = tallyRows(cut, area).inside;
+  tally.ofMany = tallyRows(many, area).inside;
 }
 
 void BandDrawer::gather(uint32_t band) {
@@ -65,6 +78,7 @@ void BandDrawer::gather(uint32_t band) {
   primitives_.resize(size);
   corners_.resize(deep ? size : 0);
   errors_.resize(deep ? size : 0);
+  origins_.resize(inputs_ ? size : 0);
   size_t at = 0;
   for (const KernelPieces& part : geometry_.parts()) {
     const std::vector<uint32_t>& pieces = part.bands[band];
@@ -74,6 +88,7 @@ void BandDrawer::gather(uint32_t band) {
       __builtin_prefetch(&part.primitives[ahead]);
       positions_[at] = part.positions[piece];
       primitives_[at] = part.primitives[piece];
+      if (inputs_) origins_[at] = part.origins[piece];
       if (!deep) continue;
       for (const uint32_t corner : part.corners[ahead]) __builtin_prefetch(&geometry_.corner(part, corner));
       DepthCorners& corners = corners_[at];
@@ -97,12 +112,26 @@ LinearFunction BandDrawer::depthPlane(uint32_t number) const {
   return TrianglePlane(corners, errors.deviation).through(c.z, errors.inputError, 0);
 }
 
+uint32_t BandDrawer::planeOf(uint32_t number) {
+  uint32_t& plane = seen_[number - 1];
+  if (plane != 0) return plane;
+  plane = ++seenPieces_;
+  if (inputs_) {
+    inputs_->add(primitives_[number - 1], origins_[number - 1].place);
+  } else {
+    planes_.push_back(depthPlane(number));
+  }
+  return plane;
+}
+
 // A run of samples with the same piece costs one look at the piece.
 void BandDrawer::findRuns(uint32_t rows) {
   runs_.clear();
   rowRuns_.assign(1, 0);
   seen_.assign(positions_.size(), 0);
+  seenPieces_ = 0;
   planes_.clear();
+  if (inputs_) inputs_->clear();
   for (uint32_t row = 0; row < rows; ++row) {
     for (uint32_t s = 0; s < frame_.samples; ++s) {
       const uint32_t* const numbers = target_.primitive.data() + target_.index(0, row, s);
@@ -113,13 +142,7 @@ void BandDrawer::findRuns(uint32_t rows) {
         SettledRun& run = runs_.emplace_back(SettledRun{starts_[r], starts_[r + 1]});
         if (number == 0) continue;
         run.primitive = primitives_[number - 1];
-        if (!frame_.depth) continue;
-        uint32_t& plane = seen_[number - 1];
-        if (plane == 0) {
-          planes_.push_back(depthPlane(number));
-          plane = static_cast<uint32_t>(planes_.size());
-        }
-        run.plane = plane;
+        if (frame_.depth || inputs_) run.plane = planeOf(number);
       }
       rowRuns_.push_back(runs_.size());
     }
@@ -136,7 +159,8 @@ void BandDrawer::settleRow(uint32_t bandRow, uint32_t y, bool last) {
     const auto runs = std::span<const SettledRun>(runs_).subspan(rowRuns_[at], rowRuns_[at + 1] - rowRuns_[at]);
     SettledRow row{rowPrimitives_.data() + s * length, deep ? rowBounds_.data() + s * length : nullptr};
     if (atOnce) row = {frame_.primitive.data.data() + to, deep ? frame_.depthBounds->data.data() + to : nullptr};
-    settleRuns(runs, planes_, pattern_[s].x * kPixel, y + pattern_[s].y * kPixel, clear_.bounds, row);
+    if (inputs_) inputs_->settle(runs, y, s, target_.primitive.data() + target_.index(0, bandRow, s), target_.primitive.data() + target_.index(0, bandRow, 0));
+    settleRuns(runs, inputs_ ? inputs_->planes() : planes_, inputs_ ? inputs_->planesEach() : 1, pattern_[s].x * kPixel, y + pattern_[s].y * kPixel, clear_.bounds, row);
   }
   if (atOnce) return;
   switch (samples) {

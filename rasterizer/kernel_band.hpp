@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rasterizer/fragment/linear_function.hpp"
+#include "rasterizer/kernel_inputs.hpp"
 #include "rasterizer/kernel_pieces.hpp"
 #include "rasterizer/kernels/row_tally.hpp"
 #include "rasterizer/kernels/settle_row.hpp"
@@ -25,14 +26,17 @@ struct BandTally {
   uint64_t met = 0;      ///< fragments that met exactly the depth that was there
   uint64_t drawn = 0;    ///< fragments that passed
   uint64_t covered = 0;  ///< samples with a primitive
+  uint64_t ofCut = 0, ofMany = 0;  ///< samples inside of pieces of cut primitives; of those with more than three corners; with inputs
   BandTally& operator+=(const BandTally& other);
 };
 
 /// Draws bands of one frame, one after the other.
 class BandDrawer {
  public:
-  /// All that is given must outlive this object; the planes of `frame` need not be written yet. `clear`: of depth.
-  BandDrawer(const KernelGeometry& geometry, Frame& frame, std::span<const SubpixelPosition> pattern, const Interpolated& clear, BandRows rows);
+  /// All that is given must outlive this object; the planes of `frame` need not be written yet. `clear`: of depth. `inputs`: null
+  /// where there are none.
+  BandDrawer(const KernelGeometry& geometry, Frame& frame, std::span<const SubpixelPosition> pattern, const Interpolated& clear, BandRows rows,
+             std::unique_ptr<KernelInputs> inputs);
 
   /// Writes all planes of the band's rows; counts rows only where `counted`.
   BandTally draw(uint32_t band, bool counted);
@@ -43,6 +47,9 @@ class BandDrawer {
   /// Runs of rows [0, rows) of the target, and planes of the pieces that are seen.
   void findRuns(uint32_t rows);
   [[nodiscard]] LinearFunction depthPlane(uint32_t number) const;
+  /// 1 + the place of the planes of piece `number`; made if it is the first time.
+  [[nodiscard]] uint32_t planeOf(uint32_t number);
+  void countCut(const TallyArea& area, BandTally& tally);
   void settleRow(uint32_t bandRow, uint32_t y, bool last);
   /// What settleRow made of several samples a pixel, samples beside one another. kSamples: 0 if it is not known when compiling.
   template <size_t kSamples>
@@ -56,13 +63,16 @@ class BandDrawer {
   const Interpolated clear_;
   const BandRows rows_;
   ValueTarget target_;
+  const std::unique_ptr<KernelInputs> inputs_;
   // The band's pieces.
   std::vector<SnappedTriangle> positions_;
   std::vector<DepthCorners> corners_;
   std::vector<uint32_t> primitives_;
   std::vector<CornerErrors> errors_;
-  std::vector<uint32_t> seen_;  ///< of each piece: 1 + its place in planes_, 0: nowhere seen
-  std::vector<LinearFunction> planes_;
+  std::vector<PieceOrigin> origins_;
+  std::vector<uint32_t> seen_;  ///< of each piece: 1 + the place of its planes, 0: nowhere seen
+  uint32_t seenPieces_ = 0;
+  std::vector<LinearFunction> planes_;  ///< of depth, where there are no inputs
   // Runs of equal numbers, row by row, samples below one another.
   std::vector<uint32_t> starts_;
   std::vector<SettledRun> runs_;

@@ -22,15 +22,14 @@ bool ownsTopLeft(const Choices& choices) {
   return choices.tieOwner == TieOwner::TopLeft && choices.slantedTies == SlantedTies::LikeVertical && choices.tieWinding == TieWinding::Same;
 }
 
-// Primitive, count and at most a depth that is tested by LESS and written.
+// Primitive, count, inputs that may wait, and at most a depth that is tested by LESS and written.
 bool needsNothingElse(const Scene& scene, const SceneNeeds& needs, const Rules& rules) {
   const uint32_t all = (1U << scene.target.samples) - 1;
   const State& state = scene.state;
-  if (needs.varyings > 0 || needs.builtIns > 0 || needs.resolve || scene.target.depthResolveMode || (state.sampleMask & all) != all) return false;
+  if (needs.builtIns > 0 || state.alphaToCoverageEnable || needs.resolve || scene.target.depthResolveMode || (state.sampleMask & all) != all) return false;
   if (state.shaderSampleMask != ShaderSampleMask::NONE) return false;
-  if (!needs.depth) return true;
-  return state.depthTestEnable && state.depthWriteEnable && state.depthCompareOp == CompareOp::LESS &&
-         PieceValues(scene, needs, rules).mayWait();
+  if (needs.depth && !(state.depthTestEnable && state.depthWriteEnable && state.depthCompareOp == CompareOp::LESS)) return false;
+  return (!needs.depth && needs.varyings == 0) || PieceValues(scene, needs, rules).mayWait();
 }
 
 bool drawsManyTriangles(const Scene& scene) {
@@ -62,13 +61,19 @@ BandRows bandRows(const Scene& scene) {
   return {static_cast<uint32_t>(std::bit_width(rows)) - 1};
 }
 
-// Every sample of which the bands write.
+// Every sample of which the bands write, but for inputs: they are written where something is drawn.
 Frame unwrittenFrame(const Scene& scene) {
   const auto [width, height, samples] = std::array{scene.target.width, scene.target.height, scene.target.samples};
   Frame frame;
   frame.width = width, frame.height = height, frame.samples = samples;
   frame.primitive = Plane<uint32_t>::unwritten(width, height, samples);
   frame.count = Plane<uint32_t>::unwritten(width, height, samples);
+  if (!scene.draws.empty()) {
+    for (const Varying& varying : scene.draws[0].varyings) {
+      VaryingPlane& plane = frame.varyings.emplace_back(VaryingPlane{varying.name, {width, height, samples, varying.components}, {}});
+      plane.bounds.emplace(width, height, samples, varying.components);
+    }
+  }
   if (!scene.target.depthFormat) return frame;
   frame.depth = Plane<float>::unwritten(width, height, samples);
   frame.depthBounds = Plane<Bounds>::unwritten(width, height, samples);
@@ -81,6 +86,8 @@ void count(RuleCounts& counts, const BandTally& tally, bool deep) {
   counts[Rule::HelperInvocation] += tally.rows.cutQuads;
   counts[Rule::SamplePattern] += tally.rows.partlyCovered;
   counts[Rule::Order] += tally.drawn - tally.covered;
+  counts[Rule::ClipAttribute] += tally.ofCut;
+  counts[Rule::CutPolygon] += tally.ofMany;
   if (!deep) return;
   counts[Rule::LinearDepth] += tally.rows.inside;
   counts[Rule::DepthTest] += tally.rows.inside - tally.drawn;
@@ -100,6 +107,7 @@ std::optional<KernelFrame> KernelFrame::of(const Scene& scene, const Rules& rule
 std::optional<Frame> KernelFrame::draw(unsigned threads, RuleCounts* counts) const {
   const bool counted = counts != nullptr;
   const BandRows rows = bandRows(scene_);
+  const SceneNeeds needs = needsOf(scene_);
   std::vector<RuleCounts> decided(threads);
   const KernelGeometry geometry(scene_, rules_, rows, decided);
   if (geometry.folded()) return std::nullopt;
@@ -110,7 +118,9 @@ std::optional<Frame> KernelFrame::draw(unsigned threads, RuleCounts* counts) con
   std::atomic<uint32_t> next = 0;
   std::vector<BandTally> tallies(threads);
   inParallel(threads, [&](unsigned thread) {
-    BandDrawer drawer(geometry, frame, pattern_, clear, rows);
+    std::unique_ptr<KernelInputs> inputs;
+    if (!frame.varyings.empty()) inputs = std::make_unique<KernelInputs>(scene_, needs, rules_, geometry, frame);
+    BandDrawer drawer(geometry, frame, pattern_, clear, rows, std::move(inputs));
     for (uint32_t band = next++; band < bands; band = next++) tallies[thread] += drawer.draw(band, counted);
   });
   if (!counted) return frame;

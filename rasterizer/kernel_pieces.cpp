@@ -25,6 +25,10 @@ bool readsIndicesAsTheyAre(const State& state) {
   return state.topology == PrimitiveTopology::TRIANGLE_LIST && !state.primitiveRestartEnable;
 }
 
+bool hasFlat(const Scene& scene) {
+  return !scene.draws.empty() && std::ranges::any_of(scene.draws[0].varyings, [](const Varying& v) { return v.interpolation == Interpolation::flat; });
+}
+
 }  // namespace
 
 /// Fills one part from a range of primitives.
@@ -32,7 +36,8 @@ class KernelGeometry::Maker {
  public:
   Maker(const KernelGeometry& all, KernelPieces& part, RuleCounts& counts)
       : all_(all), part_(part), counts_(counts), places_(all.rules_), pieceMaker_(all.scene_.state, all.rules_, counts),
-        deep_(all.scene_.target.depthFormat.has_value()), mayWiden_(all.rules_.openValues()) {
+        deep_(all.scene_.target.depthFormat.has_value()), inputs_(!all.scene_.draws.empty() && !all.scene_.draws[0].varyings.empty()),
+        flat_(hasFlat(all.scene_)), mayWiden_(all.rules_.openValues()) {
     part_.bands.resize(all.rows_.bandsOf(all.scene_.target.height));
   }
 
@@ -40,42 +45,24 @@ class KernelGeometry::Maker {
     part_.positions.reserve(pieces);
     part_.primitives.reserve(pieces);
     if (deep_) part_.corners.reserve(pieces);
+    if (inputs_) part_.origins.reserve(pieces);
   }
 
   /// Primitives [first, end) of a draw.
   void add(const Draw& draw, const DrawPlace& place, size_t first, size_t end) {
     PrimitiveMaker others(all_.scene_, all_.rules_, draw, place.clipped, counts_, [this](const Primitive& primitive) { addMade(primitive); });
-    const auto addAll = [&](const auto& verticesOf) {
-      for (size_t i = first; i < end; ++i) {
-        const AssembledTriangle assembled = verticesOf(i);
-        const uint32_t number = place.firstPrimitive + static_cast<uint32_t>(i) + 1;
-        if (!addWhole(assembled.vertices, place.firstVertex, number)) others.make(number, assembled);
-      }
-    };
-    const State& state = all_.scene_.state;
-    if (!readsIndicesAsTheyAre(state)) {
-      const std::vector<AssembledTriangle> assembled = assemble(draw, state);
-      return addAll([&](size_t i) { return assembled[i]; });
-    }
-    const auto at = [&](const auto& vertex) {
-      return [&vertex](size_t i) {
-        const auto base = static_cast<uint32_t>(3 * i);
-        const std::array<uint32_t, 3> vertices{vertex(base), vertex(base + 1), vertex(base + 2)};
-        return AssembledTriangle{vertices, vertices[0]};
-      };
-    };
-    if (draw.indices) {
-      const uint32_t* const indices = draw.indices->data();
-      addAll(at([indices](uint32_t k) { return indices[k]; }));
-    } else {
-      addAll(at([](uint32_t k) { return k; }));
+    for (size_t i = first; i < end; ++i) {
+      const AssembledTriangle assembled = all_.assembled(draw, place, i);
+      const uint32_t number = place.firstPrimitive + static_cast<uint32_t>(i) + 1;
+      if (!addWhole(draw, assembled.vertices, place.firstVertex, number)) others.make(number, assembled);
     }
   }
 
   /// Pieces of a primitive that geometry.hpp made.
   void addMade(const Primitive& primitive) {
     if (mayWiden_) part_.folded = part_.folded || isFolded(primitive.polygon, CutFill::Polygon);
-    for (const SetupTriangle& piece : primitive.pieces) {
+    for (size_t place = 0; place < primitive.pieces.size(); ++place) {
+      const SetupTriangle& piece = primitive.pieces[place];
       if (piece.culled) continue;
       std::array<uint32_t, 3> corners{};
       SnappedTriangle positions;
@@ -86,14 +73,15 @@ class KernelGeometry::Maker {
         corners[k] = kMade + static_cast<uint32_t>(part_.made.size());
         part_.made.push_back(depthVertex(vertex, places_));
       }
-      put(positions, corners, primitive.number);
+      if (inputs_) countInputs(primitive.clip);
+      put(positions, corners, primitive.number, {static_cast<uint8_t>(place), primitive.cut, primitive.polygon.size() > 3});
     }
   }
 
  private:
   /// False: some corner is outside of what clips it, or has no place.
-  bool addWhole(std::array<uint32_t, 3> v, uint32_t firstVertex, uint32_t number) {
-    for (uint32_t& vertex : v) vertex += firstVertex;
+  bool addWhole(const Draw& draw, const std::array<uint32_t, 3>& ofDraw, uint32_t firstVertex, uint32_t number) {
+    const std::array<uint32_t, 3> v{ofDraw[0] + firstVertex, ofDraw[1] + firstVertex, ofDraw[2] + firstVertex};
     const StagedVertices& vertices = all_.vertices_;
     const uint32_t codes[]{vertices.codes[v[0]], vertices.codes[v[1]], vertices.codes[v[2]]};
     if ((codes[0] | codes[1] | codes[2]) != 0) {
@@ -114,11 +102,18 @@ class KernelGeometry::Maker {
     const bool turned = area < 0;
     const std::array<SubpixelPosition, 2> last{positions.v[turned ? 2 : 1], positions.v[turned ? 1 : 2]};
     positions.v[1] = last[0], positions.v[2] = last[1];
-    put(positions, {v[0], v[turned ? 2 : 1], v[turned ? 1 : 2]}, number);
+    if (inputs_) countInputs({draw.positions[ofDraw[0]], draw.positions[ofDraw[1]], draw.positions[ofDraw[2]]});
+    put(positions, {v[0], v[turned ? 2 : 1], v[turned ? 1 : 2]}, number, {});
     return true;
   }
 
-  void put(const SnappedTriangle& positions, const std::array<uint32_t, 3>& corners, uint32_t number) {
+  // What drawing a piece with inputs decides, wherever it is drawn.
+  void countInputs(const std::array<ClipPosition, 3>& v) {
+    if (v[0].w != v[1].w || v[0].w != v[2].w) ++counts_[Rule::Perspective];
+    if (flat_) ++counts_[Rule::ProvokingVertex];
+  }
+
+  void put(const SnappedTriangle& positions, const std::array<uint32_t, 3>& corners, uint32_t number, const PieceOrigin& origin) {
     const auto [low, high] = std::minmax({positions.v[0].y, positions.v[1].y, positions.v[2].y});
     const auto shift = static_cast<int>(kSubpixelBits + all_.rows_.shift);
     const int32_t first = std::max(low, 0) >> shift, last = std::min(high >> shift, static_cast<int32_t>(part_.bands.size()) - 1);
@@ -127,6 +122,7 @@ class KernelGeometry::Maker {
     part_.positions.push_back(positions);
     part_.primitives.push_back(number);
     if (deep_) part_.corners.push_back(corners);
+    if (inputs_) part_.origins.push_back(origin);
     for (int32_t band = first; band <= last; ++band) part_.bands[static_cast<size_t>(band)].push_back(piece);
   }
 
@@ -135,7 +131,7 @@ class KernelGeometry::Maker {
   RuleCounts& counts_;
   const PlanePlaces places_;
   const PieceMaker pieceMaker_;
-  const bool deep_, mayWiden_;
+  const bool deep_, inputs_, flat_, mayWiden_;
 };
 
 namespace {
@@ -173,6 +169,19 @@ KernelGeometry::KernelGeometry(const Scene& scene, const Rules& rules, BandRows 
   });
 }
 
+AssembledTriangle KernelGeometry::assembled(const Draw& draw, const DrawPlace& place, size_t i) const {
+  if (!readsIndicesAsTheyAre(scene_.state)) return place.assembled[i];
+  std::array<uint32_t, 3> v{};
+  for (size_t k = 0; k < 3; ++k) v[k] = draw.indices ? (*draw.indices)[3 * i + k] : static_cast<uint32_t>(3 * i + k);
+  return {v, v[scene_.state.provokingVertexMode == ProvokingVertexMode::FIRST_VERTEX ? 0 : 2]};
+}
+
+KernelGeometry::Assembled KernelGeometry::assembled(uint32_t number) const {
+  size_t d = draws_.size() - 1;
+  while (draws_[d].firstPrimitive >= number) --d;
+  return {d, assembled(scene_.draws[d], draws_[d], number - draws_[d].firstPrimitive - 1)};
+}
+
 bool KernelGeometry::folded() const { return std::ranges::any_of(parts_, &KernelPieces::folded); }
 
 bool KernelGeometry::servesInVectors(const Draw& draw, bool clipped) const {
@@ -189,6 +198,7 @@ void KernelGeometry::stage(std::span<RuleCounts> counts) {
   std::vector<RuleCounts> decided(counts.size());
   for (const Draw& draw : scene_.draws) {
     place.primitives = primitiveCount(scene_.state, draw);
+    if (!readsIndicesAsTheyAre(scene_.state)) place.assembled = assemble(draw, scene_.state);
     if (stagesInVectors(rules_)) {
       const VertexStage stage = vertexStage(scene_, rules_, draw.viewportIndex);
       const ClipVolume volume = clipVolume(scene_.state, draw, rules_.error);

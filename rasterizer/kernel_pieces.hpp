@@ -18,11 +18,18 @@ struct BandRows {
   [[nodiscard]] uint32_t bandsOf(uint32_t height) const { return (height + rows() - 1) >> shift; }
 };
 
+/// Which piece of its primitive a piece is.
+struct PieceOrigin {
+  uint8_t place = 0;
+  bool cut = false, many = false;  ///< of a primitive that was cut; to more than three corners
+};
+
 /// One thread's part, in drawing order: triangles wound so that their double area is positive.
 struct KernelPieces {
   std::vector<SnappedTriangle> positions;
   std::vector<uint32_t> primitives;               ///< 1-based over all draws
   std::vector<std::array<uint32_t, 3>> corners;   ///< of depth planes, for KernelGeometry::corner; scenes with depth only
+  std::vector<PieceOrigin> origins;               ///< scenes with inputs only
   std::vector<DepthVertex> made;                  ///< of primitives that geometry.hpp made
   std::vector<std::vector<uint32_t>> bands;       ///< which pieces reach into each band
   bool folded = false;                            ///< pieces of one cut polygon overlap where values are open
@@ -40,6 +47,13 @@ class KernelGeometry {
   [[nodiscard]] const DepthVertex& corner(const KernelPieces& part, uint32_t number) const {
     return number >= kMade ? part.made[number - kMade] : vertices_.depths[number];
   }
+  [[nodiscard]] bool isClipped(size_t draw) const { return draws_[draw].clipped; }
+  struct Assembled {
+    size_t draw = 0;
+    AssembledTriangle triangle;
+  };
+  /// `number`: 1-based over all draws.
+  [[nodiscard]] Assembled assembled(uint32_t number) const;
 
  private:
   class Maker;
@@ -47,11 +61,14 @@ class KernelGeometry {
   struct DrawPlace {
     uint32_t firstVertex = 0, firstPrimitive = 0, primitives = 0;  // vertices and primitives of earlier draws; of this one
     bool inVectors = false, clipped = false;
+    std::vector<AssembledTriangle> assembled{};  // unless primitives are three vertices after the other
   };
 
   /// May whole triangles of the draw skip geometry.hpp?
   [[nodiscard]] bool servesInVectors(const Draw& draw, bool clipped) const;
   void stage(std::span<RuleCounts> counts);
+  /// Primitive `i` of a draw.
+  [[nodiscard]] AssembledTriangle assembled(const Draw& draw, const DrawPlace& place, size_t i) const;
 
   const Scene& scene_;
   const Rules& rules_;
