@@ -12,12 +12,12 @@ std::string timeText(const Seconds& seconds) {
                                  secondsText(seconds.driver), secondsText(parts.drawing), secondsText(parts.pipelines),
                                  secondsText(parts.upload), secondsText(parts.readback), secondsText(seconds.reference),
                                  secondsText(seconds.compare), secondsText(seconds.setUp));
-  if (seconds.pictures > 0) text += ", pictures " + secondsText(seconds.pictures);
+  if (seconds.pictures > 0) text += fmt::format(", pictures {}", secondsText(seconds.pictures));
   return text;
 }
 
 std::string shareText(const Seconds& seconds) {
-  std::string text = "All but the driver's drawing and pipelines " + secondsText(ownSeconds(seconds));
+  std::string text = fmt::format("All but the driver's drawing and pipelines {}", secondsText(ownSeconds(seconds)));
   if (seconds.parts.drawing > 0) text += fmt::format(", {:.2f} of its drawing", ownSeconds(seconds) / seconds.parts.drawing);
   return text;
 }
