@@ -106,7 +106,7 @@ Result<void> drawAndCompare(SceneEntry& entry, const Job& job, Subject& subject,
   seconds.reference = watch.lap();
 
   entering("compare");
-  Result<SceneResult> result = compare(*scene, rules, *reference, *actual);
+  Result<SceneResult> result = compare(*scene, rules, *reference, *actual, settings.threads);
   if (!result) return tl::unexpected(result.error());
   if (Result<void> judged = judgeJointly(*scene, rules, *reference, *actual, *result); !judged) return judged;
   entry.result = std::move(*result);
