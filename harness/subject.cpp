@@ -28,7 +28,10 @@ class DeviceSubject final : public Subject {
   std::string info() const override { return device_->driver().info; }
   const Limits& limits() const override { return device_->limits(); }
   Result<Frame> render(const Scene& scene) override { return vkref::render(scene, *device_); }
-  std::optional<double> drawSeconds() const override { return device_->lastCost().drawSeconds; }
+  std::optional<DriverSeconds> driverSeconds() const override {
+    const vkref::RenderCost& cost = device_->lastCost();
+    return DriverSeconds{cost.drawSeconds, cost.pipelineSeconds, cost.uploadSeconds, cost.readbackSeconds};
+  }
   std::vector<std::string> validationMessages() const override { return device_->validationMessages(); }
   std::vector<std::pair<std::string, std::string>> details() const override {
     const vkref::DriverInfo& driver = device_->driver();

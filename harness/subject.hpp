@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "harness/compare/seconds.hpp"
 #include "scene/frame.hpp"
 #include "scene/limits.hpp"
 #include "scene/result.hpp"
@@ -29,9 +30,8 @@ class Subject {
   [[nodiscard]] virtual std::string info() const = 0;  ///< exact version
   [[nodiscard]] virtual const Limits& limits() const = 0;
   [[nodiscard]] virtual Result<Frame> render(const Scene& scene) = 0;
-  /// Seconds that the device itself took over the last render(), without upload and readback; none where only the
-  /// whole call is known.
-  [[nodiscard]] virtual std::optional<double> drawSeconds() const { return std::nullopt; }
+  /// Where the time of the last successful render() went; none where only the whole call is known.
+  [[nodiscard]] virtual std::optional<DriverSeconds> driverSeconds() const { return std::nullopt; }
   /// Validation messages so far; empty is clean.
   [[nodiscard]] virtual std::vector<std::string> validationMessages() const { return {}; }
   /// Whatever else a bug report needs: "deviceName", "apiVersion", "manifest".

@@ -33,8 +33,11 @@ struct DriverInfo {
 struct RenderCost {
   uint32_t colorAttachments = 0, depthAttachments = 0, passes = 0;
   uint64_t attachmentBytes = 0, readbackBytes = 0;
-  double drawSeconds = 0, readbackSeconds = 0, setupSeconds = 0;
   uint32_t pipelinesCreated = 0;
+  double pipelineSeconds = 0;  ///< to create them
+  double uploadSeconds = 0;    ///< without them: from the call to the submit of the draws
+  double drawSeconds = 0;      ///< from that submit to its fence
+  double readbackSeconds = 0;  ///< from the fence to the planes
 };
 
 /// One thread at a time; several devices may be open at once, of one driver or of several. Close it before main

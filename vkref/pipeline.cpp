@@ -1,6 +1,7 @@
 // Builds graphics pipelines for dynamic rendering; recording draws with them is commands.cpp's work.
 #include "vkref/pipeline.hpp"
 
+#include "scene/stopwatch.hpp"
 #include "vkref/pipeline_state.hpp"
 #include "vkref/vk_error.hpp"
 
@@ -71,7 +72,9 @@ Result<std::unique_ptr<PipelineCache>> PipelineCache::create(const Context& cont
 
 Result<VkPipeline> PipelineCache::get(const PipelineKey& key) {
   if (const auto found = pipelines_.find(key); found != pipelines_.end()) return found->second.get();
+  Stopwatch watch;
   Result<OwnedPipeline> made = make(key);
+  seconds_ += watch.lap();
   if (!made) return tl::unexpected(made.error());
   if (pipelines_.size() >= kMaxPipelines) pipelines_.clear();
   ++created_;

@@ -23,6 +23,7 @@ class PipelineCache {
   [[nodiscard]] VkPipelineLayout layout() const { return layout_.get(); }
   [[nodiscard]] VkPipelineCache driverCache() const { return driverCache_.get(); }
   [[nodiscard]] uint32_t created() const { return created_; }  ///< since the device was opened
+  [[nodiscard]] double seconds() const { return seconds_; }    ///< that they took
 
  private:
   explicit PipelineCache(const Context& context) : context_(context) {}
@@ -33,6 +34,7 @@ class PipelineCache {
   OwnedPipelineLayout layout_;
   std::map<PipelineKey, OwnedPipeline> pipelines_;
   uint32_t created_ = 0;
+  double seconds_ = 0;
 };
 
 /// Error: DeviceLost, NotOffered (memory).

@@ -1,28 +1,14 @@
 // One scene on one device: plan, upload, draw, read back.
-#include <chrono>
 #include <new>
 
+#include "scene/primitive_class.hpp"
+#include "scene/stopwatch.hpp"
 #include "vkref/commands.hpp"
 #include "vkref/device_impl.hpp"
-#include "scene/primitive_class.hpp"
 #include "vkref/readback.hpp"
 
 namespace rasterdiff::vkref {
 namespace {
-
-class Stopwatch {
- public:
-  /// Seconds since the last call or the start.
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const std::chrono::duration<double> elapsed = now - last_;
-    last_ = now;
-    return elapsed.count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 Result<Frame> draw(const Scene& scene, Device::Impl& impl) {
   Stopwatch watch;
@@ -30,6 +16,14 @@ Result<Frame> draw(const Scene& scene, Device::Impl& impl) {
   cost = {};
   const Context& context = *impl.context;
   const uint32_t pipelinesBefore = impl.pipelines->created() + impl.unpack->created();
+  double pipelineSecondsBefore = impl.pipelines->seconds() + impl.unpack->seconds();
+  // Time since the last lap that no pipeline took.
+  const auto lapWithoutPipelines = [&] {
+    const double pipelineSeconds = impl.pipelines->seconds() + impl.unpack->seconds() - pipelineSecondsBefore;
+    pipelineSecondsBefore += pipelineSeconds;
+    cost.pipelineSeconds += pipelineSeconds;
+    return watch.lap() - pipelineSeconds;
+  };
   if (const Result<void> valid = validate(scene); !valid) return tl::unexpected(valid.error());
   const RenderPlan plan = planOf(scene, context.caps);
   if (const Result<void> offered = checkOffered(scene, plan, context.caps); !offered) {
@@ -59,7 +53,7 @@ Result<Frame> draw(const Scene& scene, Device::Impl& impl) {
       recordDraws(context, *draws, scene, plan, *attachments, *geometry, primitives, *impl.pipelines);
   if (!recorded) return tl::unexpected(recorded.error());
   cost.passes = static_cast<uint32_t>(plan.passes.size());
-  cost.setupSeconds = watch.lap();
+  cost.uploadSeconds = lapWithoutPipelines();
   if (const Result<void> drawn = impl.submission->run(); !drawn) {
     abandon();
     return tl::unexpected(drawn.error());
@@ -78,7 +72,7 @@ Result<Frame> draw(const Scene& scene, Device::Impl& impl) {
     return tl::unexpected(read.error());
   }
   Result<Frame> frame = frameOf(scene, plan, *readback, fetch);
-  cost.readbackSeconds = watch.lap();
+  cost.readbackSeconds = lapWithoutPipelines();
   return frame;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <numeric>
 
+#include "scene/stopwatch.hpp"
 #include "vkref/vk_error.hpp"
 #include "vkref/vk_struct.hpp"
 
@@ -69,6 +70,7 @@ Result<void> Unpack::reset() {
 
 Result<VkPipeline> Unpack::pipeline(const Kind& kind) {
   if (const auto found = pipelines_.find(kind); found != pipelines_.end()) return found->second.get();
+  Stopwatch watch;
   const Result<OwnedShaderModule> module = makeShaderModule(context_, unpackCode(kind.unsignedIntegers));
   if (!module) return tl::unexpected(module.error());
   const std::array<uint32_t, 2> constants = {kind.samples, kind.components};
@@ -81,6 +83,7 @@ Result<VkPipeline> Unpack::pipeline(const Kind& kind) {
   VkPipeline pipeline = VK_NULL_HANDLE;
   VKREF_TRY(context_.vk.vkCreateComputePipelines(context_.device, driverCache_, 1, &info, nullptr, &pipeline));
   ++created_;
+  seconds_ += watch.lap();
   return pipelines_.emplace(kind, OwnedPipeline(context_, pipeline)).first->second.get();
 }
 

@@ -22,6 +22,7 @@ class Unpack {
   [[nodiscard]] Result<void> record(VkCommandBuffer commands, const Image& image, uint32_t components, VkBuffer buffer,
                                     VkDeviceSize offset);
   [[nodiscard]] uint32_t created() const { return created_; }  ///< pipelines, since the device was opened
+  [[nodiscard]] double seconds() const { return seconds_; }    ///< that they took
 
  private:
   struct Kind {
@@ -42,6 +43,7 @@ class Unpack {
   uint32_t setsUsed_ = 0;
   std::map<Kind, OwnedPipeline> pipelines_;
   uint32_t created_ = 0;
+  double seconds_ = 0;
 };
 
 }  // namespace rasterdiff::vkref

@@ -75,7 +75,7 @@ void serve(const DriverProcess::Job& job, int requests, int answers) {
     Result<Frame> frame;
     DriverProcess::Drawn drawn;
     drawn.wholeSeconds = secondsOf([&] { frame = driver.render(scene); });
-    drawn.drawSeconds = driver.drawSeconds().value_or(0);
+    drawn.drawSeconds = driver.driverSeconds().value_or(DriverSeconds{}).drawing;
     drawn.peakBytes = meter.growth().value_or(0);
     if (!frame) {
       reply(answers, kError, recordOf(frame.error()));

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <fnmatch.h>
 
-#include <chrono>
-
+#include "harness/cli/metered.hpp"
 #include "harness/cli/pool.hpp"
 #include "harness/invariants/run.hpp"
+#include "scene/stopwatch.hpp"
 
 namespace rasterdiff::harness::cli {
 namespace {
@@ -70,10 +70,12 @@ Result<std::vector<Job>> selectScenesAndInvariants(std::span<const std::string> 
 CheckedScene checkInvariant(const Job& job, Subject& subject, const std::function<void(std::string_view)>& entering) {
   CheckedScene checked{entryOf(job), false};
   entering(kDriverPhase);
-  const auto start = std::chrono::steady_clock::now();
-  const Result<invariants::Outcome> outcome = invariants::run(*job.invariant, subject, kSeed, kInvariantCases);
+  MeteredSubject metered(subject);
+  Stopwatch watch;
+  const Result<invariants::Outcome> outcome = invariants::run(*job.invariant, metered, kSeed, kInvariantCases);
   SceneResult& result = checked.entry.result;
-  result.seconds.driver = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.seconds = metered.seconds();
+  result.seconds.compare = watch.lap() - result.seconds.driver;  // with the making of the cases
   if (outcome) {
     conclude(result, *outcome);
     return checked;

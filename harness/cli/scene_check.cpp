@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-
+#include "harness/cli/metered.hpp"
 #include "harness/cli/pool.hpp"
 #include "harness/compare/compare.hpp"
 #include "harness/compare/placement/placement.hpp"
@@ -12,21 +11,12 @@
 #include "harness/report/picture.hpp"
 #include "rasterizer/render.hpp"
 #include "scene/primitive_class.hpp"
+#include "scene/stopwatch.hpp"
 
 namespace rasterdiff::harness::cli {
 namespace {
 
 constexpr uint32_t kWidestPicture = 960, kThumbnail = 96;  // pixels
-
-class Stopwatch {
- public:
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// "fill/a" → fill/a, "../x/y.scene.json" → _/x/y.scene.json: always below the dump folder.
 std::filesystem::path dumpFolder(const std::filesystem::path& root, std::string_view address) {
@@ -91,6 +81,8 @@ void conclude(CheckedScene& checked, const Error& error) {
 /// Everything that can fail, in order; the caller turns the error into a verdict.
 Result<void> drawAndCompare(SceneEntry& entry, const Job& job, Subject& subject, const rasterizer::Rules& rules,
                             const CheckSettings& settings, const std::function<void(std::string_view)>& entering) {
+  Seconds seconds;
+  Stopwatch watch;
   entering("scene");
   const Result<Scene> scene = drawable(job);
   if (!scene) return tl::unexpected(scene.error());
@@ -98,42 +90,43 @@ Result<void> drawAndCompare(SceneEntry& entry, const Job& job, Subject& subject,
   entry.height = scene->target.height;
   entry.samplesPerPixel = scene->target.samples;
   entry.primitives = primitiveCount(*scene);
+  seconds.setUp = watch.lap();
 
-  Seconds seconds;
   entering(kDriverPhase);
-  const Stopwatch driverWatch;
-  const Result<Frame> actual = subject.render(*scene);
-  seconds.driver = driverWatch.seconds();
+  MeteredSubject metered(subject);
+  const Result<Frame> actual = metered.render(*scene);
   if (!actual) return tl::unexpected(actual.error());
+  seconds += metered.seconds();
 
   entering("reference");
   rasterizer::RuleCounts counts;
-  const Stopwatch referenceWatch;
+  watch.lap();
   const Result<Frame> reference = rasterizer::render(*scene, rules, &counts, settings.threads);
-  seconds.reference = referenceWatch.seconds();
   if (!reference) return tl::unexpected(reference.error());
+  seconds.reference = watch.lap();
 
   entering("compare");
-  const Stopwatch compareWatch;
-  Result<SceneResult> result = compare(*scene, rules, *reference, *actual);
+  Result<SceneResult> result = compare(*scene, rules, *reference, *actual, settings.threads);
   if (!result) return tl::unexpected(result.error());
   if (Result<void> judged = judgeJointly(*scene, rules, *reference, *actual, *result); !judged) return judged;
-  seconds.compare = compareWatch.seconds();
   entry.result = std::move(*result);
   entry.result.id = job.id;
-  entry.result.seconds = seconds;
   for (const rasterizer::RuleInfo& rule : rasterizer::countedRules()) {
     if (counts[rule.rule] > 0) entry.result.ruleCoverage[std::string(rule.id)] += counts[rule.rule];
   }
+  seconds.compare = watch.lap();
 
   entering("report");
   if (settings.dump) {
     if (Result<void> dumped = dump(*settings.dump, job, *reference, *actual); !dumped) return dumped;
   }
-  if (!settings.pictures) return {};
-  Result<Pictures> pictures = picturesOf(*scene, rules, *reference, *actual, entry.result);
-  if (!pictures) return tl::unexpected(pictures.error());
-  entry.pictures = std::move(*pictures);
+  if (settings.pictures) {
+    Result<Pictures> pictures = picturesOf(*scene, rules, *reference, *actual, entry.result);
+    if (!pictures) return tl::unexpected(pictures.error());
+    entry.pictures = std::move(*pictures);
+  }
+  if (settings.dump || settings.pictures) seconds.pictures = watch.lap();
+  entry.result.seconds = seconds;
   return {};
 }
 

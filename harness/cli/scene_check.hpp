@@ -16,7 +16,7 @@ namespace rasterdiff::harness::cli {
 struct CheckSettings {
   bool pictures = false;
   std::optional<std::filesystem::path> dump;  ///< folder for both sides' planes
-  unsigned threads = 1;                       ///< of the reference
+  unsigned threads = 1;                       ///< of the reference and of the comparison
 };
 
 struct CheckedScene {

@@ -2,19 +2,19 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstring>
 #include <fmt/format.h>
 #include <optional>
 #include <span>
 
 #include "harness/compare/legal_outcomes.hpp"
-#include "harness/compare/value_accumulator.hpp"
+#include "harness/compare/sample_pass.hpp"
 #include "harness/compare/whole_pixels.hpp"
 #include "rasterizer/choice_table.hpp"
 #include "rasterizer/depth/format.hpp"
 #include "rasterizer/depth/resolve_depth.hpp"
 #include "rasterizer/fragment/resolve.hpp"
 #include "rasterizer/fragment/value_freedoms.hpp"
+#include "rasterizer/parallel.hpp"
 
 namespace rasterdiff::harness {
 namespace {
@@ -23,8 +23,10 @@ using rasterizer::Candidate;
 using rasterizer::Freedom;
 using rasterizer::SampleQuery;
 
-constexpr size_t kStretch = 128;                     // samples
-constexpr size_t kQueriesAtOnce = size_t{1} << 18;  // bounds the memory of evidence
+constexpr size_t kSamplesAtOnce = size_t{1} << 22;   // bounds the memory of questions
+constexpr size_t kQueriesAtOnce = size_t{1} << 18;   // bounds the memory of evidence
+constexpr size_t kSamplesAThread = size_t{1} << 16;  // at least: a thread takes some 20 µs to start
+constexpr size_t kPieceStep = 1024;                  // samples
 
 std::string describe(uint32_t primitive) { return primitive == 0 ? "none" : fmt::format("primitive {}", primitive); }
 
@@ -38,89 +40,50 @@ std::string whatIsWrong(const SampleDifference& d) {
 class Comparison {
  public:
   Comparison(const Scene& scene, const rasterizer::Rules& rules, const Frame& reference, const Frame& actual)
-      : scene_(scene), rules_(rules), reference_(reference), actual_(actual) {
-    if (reference.depth) values_.emplace_back("depth");
-    for (const VaryingPlane& varying : reference.varyings) values_.emplace_back(varying.name);
-    for (const VaryingPlane& plane : reference.resolved) values_.emplace_back(plane.name + ".resolved");
+      : scene_(scene), rules_(rules), reference_(reference), actual_(actual), pass_(reference, actual, mayOverlapItself(), planeNames(reference)) {
     if (reference.depth) clearDepth_ = rasterizer::clearedDepth(scene.target.depthClearValue, *scene.target.depthFormat).bounds;
   }
 
-  Result<SceneResult> run() {
+  Result<SceneResult> run(unsigned threads) {
     result_.id = scene_.name;
     result_.samples = reference_.primitive.data.size();
-    const size_t samples = reference_.samples, width = reference_.width;
-    for (size_t i = 0; i < result_.samples; ++i) {
-      while (i + kStretch <= result_.samples && sameStretch(i)) i += kStretch;
-      if (i == result_.samples) break;
-      const uint32_t winner = reference_.primitive.data[i];
-      if (winner != 0) ++result_.coveredSamples;
-      const bool same = winner == actual_.primitive.data[i] && reference_.count.data[i] == actual_.count.data[i];
-      if (same) ++result_.same;
-      if (!same || !values_.empty()) {
-        const auto pixel = static_cast<uint32_t>(i / samples);
-        const SampleQuery place{pixel % static_cast<uint32_t>(width), pixel / static_cast<uint32_t>(width),
-                                static_cast<uint32_t>(i % samples)};
-        if (winner == actual_.primitive.data[i]) {
-          if (winner != 0 && mayOverlapItself() && !valuesFit(i)) {
-            overlaps_.push_back(place);
-          } else {
-            compareValues(place, i, winner != 0);
-          }
-        }
-        if (!same) queries_.push_back(place);
-      }
-      if (queries_.size() == kQueriesAtOnce || overlaps_.size() == kQueriesAtOnce) {
-        if (Result<void> judged = judgeQueries(); !judged) return tl::unexpected<Error>(judged.error());
-      }
+    for (size_t first = 0; first < result_.samples; first += kSamplesAtOnce) {
+      pass(first, std::min(first + kSamplesAtOnce, static_cast<size_t>(result_.samples)), threads);
+      if (std::max(pass_.questions.size(), pass_.overlaps.size()) < kQueriesAtOnce) continue;
+      if (Result<void> judged = judgeQueries(); !judged) return tl::unexpected<Error>(judged.error());
     }
     if (Result<void> judged = judgeQueries(); !judged) return tl::unexpected<Error>(judged.error());
+    result_.same = pass_.same;
+    result_.coveredSamples = pass_.coveredSamples;
     compareResolved();
     finish();
     return std::move(result_);
   }
 
  private:
-  // Are all planes of the samples [first, first + kStretch) equal in every bit? Most of most frames is, and is counted at once.
-  bool sameStretch(size_t first) {
-    const auto equal = [&](const auto& a, const auto& b) {
-      const size_t from = first * a.components, count = kStretch * a.components;
-      return std::memcmp(a.data.data() + from, b.data.data() + from, count * sizeof(a.data[0])) == 0;
-    };
-    if (first < differentUntil_) return false;
-    bool same = equal(reference_.primitive, actual_.primitive) && equal(reference_.count, actual_.count) &&
-                (!reference_.depth || equal(*reference_.depth, *actual_.depth));
-    for (size_t v = 0; same && v < reference_.varyings.size(); ++v)
-      same = equal(reference_.varyings[v].values, actual_.varyings[v].values);
-    if (!same) {
-      differentUntil_ = first + kStretch;
-      return false;
-    }
-    const auto begin = reference_.primitive.data.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto drawn = static_cast<uint64_t>(kStretch) - static_cast<uint64_t>(std::count(begin, begin + kStretch, 0U));
-    result_.coveredSamples += drawn;
-    result_.same += kStretch;
-    size_t plane = 0;
-    if (reference_.depth) values_[plane++].addSame(drawn);
-    for (const VaryingPlane& varying : reference_.varyings) values_[plane++].addSame(drawn * varying.values.components);
-    return true;
+  static std::vector<std::string> planeNames(const Frame& reference) {
+    std::vector<std::string> names;
+    if (reference.depth) names.emplace_back("depth");
+    for (const VaryingPlane& varying : reference.varyings) names.push_back(varying.name);
+    for (const VaryingPlane& plane : reference.resolved) names.push_back(plane.name + ".resolved");
+    return names;
+  }
+
+  // Each thread has the same number of samples in one piece; the pieces are put together in their order.
+  void pass(size_t first, size_t end, unsigned threads) {
+    threads = static_cast<unsigned>(std::clamp<size_t>((end - first) / kSamplesAThread, 1, threads));
+    if (threads == 1) return pass_.run(first, end);
+    const size_t share = (end - first) / threads / kPieceStep * kPieceStep;
+    std::vector<SamplePass> further(threads - 1, SamplePass(reference_, actual_, mayOverlapItself(), planeNames(reference_)));
+    rasterizer::inParallel(threads, [&](unsigned k) {
+      const size_t from = first + k * share, to = k + 1 == threads ? end : from + share;
+      (k == 0 ? pass_ : further[k - 1]).run(from, to);
+    });
+    for (const SamplePass& piece : further) pass_.append(piece);
   }
 
   // Lines and points that outline one triangle may cover a sample together, and which of them do is a freedom.
   [[nodiscard]] bool mayOverlapItself() const { return rules_.openValues() && scene_.state.polygonMode != PolygonMode::FILL; }
-
-  [[nodiscard]] bool valuesFit(size_t index) const {
-    const auto fits = [](float actual, Bounds legal) { return actual >= legal.lo && actual <= legal.hi; };
-    if (reference_.depth && !fits(actual_.depth->data[index], reference_.depthBounds->data[index])) return false;
-    for (size_t v = 0; v < reference_.varyings.size(); ++v) {
-      const size_t components = reference_.varyings[v].values.components;
-      for (size_t at = index * components; at < (index + 1) * components; ++at) {
-        if (!fits(actual_.varyings[v].values.data[at], reference_.varyings[v].bounds->data[at])) return false;
-      }
-    }
-    return true;
-  }
-
-  static Bounds hull(Bounds a, Bounds b) { return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)}; }
 
   // All that the parts of one primitive that may cover a sample allow there; none if no part may.
   static std::optional<Candidate> merged(const std::vector<Candidate>& candidates, uint32_t primitive) {
@@ -141,44 +104,16 @@ class Comparison {
   void compareOverlap(const SampleQuery& place, const std::vector<Candidate>& candidates) {
     const size_t index = reference_.primitive.index(place.x, place.y, place.sample);
     const std::optional<Candidate> all = merged(candidates, reference_.primitive.data[index]);
-    compareValues(place, index, true, all ? &*all : nullptr);
-  }
-
-  // `also`: what else is legal.
-  void compareValues(const SampleQuery& place, size_t index, bool drawn, const Candidate* also = nullptr) {
-    size_t plane = 0, flattened = 0;
-    const auto compareOne = [&](uint32_t component, float expected, float actual, Bounds legal) {
-      const ValueAccumulator::Place at{place.x, place.y, place.sample, component};
-      if (drawn) {
-        values_[plane].add(at, expected, actual, legal);
-      } else {
-        values_[plane].addUndrawn(at, expected, actual, legal);
-      }
-    };
-    if (reference_.depth) {
-      const Bounds legal = reference_.depthBounds->data[index];
-      compareOne(0, reference_.depth->data[index], actual_.depth->data[index], also ? hull(legal, also->depth) : legal);
-      ++plane;
-    }
-    for (size_t v = 0; v < reference_.varyings.size(); ++v, ++plane) {
-      const VaryingPlane& expected = reference_.varyings[v];
-      const size_t components = expected.values.components;
-      for (size_t c = 0; c < components; ++c, ++flattened) {
-        const size_t at = index * components + c;
-        const Bounds legal = expected.bounds->data[at];
-        compareOne(static_cast<uint32_t>(c), expected.values.data[at], actual_.varyings[v].values.data[at],
-                   also ? hull(legal, also->varyings[flattened]) : legal);
-      }
-    }
+    pass_.compareValues(place, index, true, all ? &*all : nullptr);
   }
 
   // [vk:VkResolveModeFlagBits] A resolved value is the mean of the samples that the same side drew, whatever they are.
   void compareResolved() {
-    const size_t first = values_.size() - actual_.resolved.size();
+    const size_t first = pass_.values.size() - actual_.resolved.size();
     std::vector<Bounds> exact;
     const std::optional<ResolveMode> depthMode = scene_.target.depthResolveMode;
     const size_t colours = actual_.resolved.size() - (depthMode ? 1 : 0);
-    if (depthMode) compareResolvedDepth(values_.back(), *depthMode);
+    if (depthMode) compareResolvedDepth(pass_.values.back(), *depthMode);
     for (size_t v = 0; v < colours; ++v) {
       const Plane<float>& samples = actual_.varyings[v].values;
       const Plane<float>& means = actual_.resolved[v].values;
@@ -189,7 +124,7 @@ class Comparison {
         exact.clear();
         for (const float value : own) exact.push_back({value, value});
         const rasterizer::Interpolated mean = rasterizer::meanOf(own, exact, components, rules_.choices.resolveArithmetic);
-        values_[first + v].add({static_cast<uint32_t>(pixel % means.width), static_cast<uint32_t>(pixel / means.width), 0,
+        pass_.values[first + v].add({static_cast<uint32_t>(pixel % means.width), static_cast<uint32_t>(pixel / means.width), 0,
                                 static_cast<uint32_t>(component)},
                                mean.value, means.data[i], mean.bounds);
       }
@@ -216,7 +151,7 @@ class Comparison {
     const auto middle = [](Bounds b) { return b.lo == b.hi ? b.lo : b.lo + (b.hi - b.lo) / 2; };
     const auto compareOne = [&](uint32_t component, float actual, Bounds legal) {
       if (legal.hi - legal.lo == std::numeric_limits<float>::infinity()) return;
-      values_[plane].add({place.x, place.y, place.sample, component}, middle(legal), actual, legal);
+      pass_.values[plane].add({place.x, place.y, place.sample, component}, middle(legal), actual, legal);
     };
     if (actual_.depth) {
       if (scene_.state.depthTestEnable && scene_.state.depthWriteEnable) {
@@ -234,21 +169,23 @@ class Comparison {
   }
 
   Result<void> judgeQueries() {
-    Result<void> judged = withEvidence(queries_, [&](const SampleQuery& place, const std::vector<Candidate>& evidence) {
+    Result<void> judged = withEvidence(pass_.questions, [&](const SampleQuery& place, const std::vector<Candidate>& evidence) {
       judge(place, evidence);
     });
     if (!judged) return judged;
-    return withEvidence(overlaps_, [&](const SampleQuery& place, const std::vector<Candidate>& evidence) {
+    return withEvidence(pass_.overlaps, [&](const SampleQuery& place, const std::vector<Candidate>& evidence) {
       compareOverlap(place, evidence);
     });
   }
 
   template <class Judge>
   Result<void> withEvidence(std::vector<SampleQuery>& queries, const Judge& judgeOne) {
-    if (queries.empty()) return {};
-    const auto evidence = rasterizer::candidates(scene_, rules_, queries);
-    if (!evidence) return tl::unexpected<Error>(evidence.error());
-    for (size_t q = 0; q < queries.size(); ++q) judgeOne(queries[q], (*evidence)[q]);
+    for (size_t first = 0; first < queries.size(); first += kQueriesAtOnce) {
+      const std::span<const SampleQuery> some = std::span(queries).subspan(first, std::min(kQueriesAtOnce, queries.size() - first));
+      const auto evidence = rasterizer::candidates(scene_, rules_, some);
+      if (!evidence) return tl::unexpected<Error>(evidence.error());
+      for (size_t q = 0; q < some.size(); ++q) judgeOne(some[q], (*evidence)[q]);
+    }
     queries.clear();
     return {};
   }
@@ -298,8 +235,8 @@ class Comparison {
     uint64_t valuesAllowed = 0, valuesDiffering = 0;
     std::string wrongPlanes;
     const std::vector<Freedom> planeFreedoms = rasterizer::valueFreedoms(scene_, rules_);
-    for (size_t plane = 0; plane < values_.size(); ++plane) {
-      result_.values.push_back(values_[plane].take());
+    for (size_t plane = 0; plane < pass_.values.size(); ++plane) {
+      result_.values.push_back(pass_.values[plane].take());
       const ValueStats& stats = result_.values.back();
       if (stats.allowed > 0 && planeFreedoms[plane] != Freedom::None) {
         result_.freedoms[std::string(rasterizer::info(planeFreedoms[plane]).id)] += 0;
@@ -332,10 +269,7 @@ class Comparison {
   SceneResult result_;
   Bounds clearDepth_;
   const bool wholePixels_ = coversWholePixels(scene_);
-  std::vector<ValueAccumulator> values_;  // depth, varyings, built-ins, resolved planes
-  size_t differentUntil_ = 0;          // where the stretch ends in which some bit is another
-  std::vector<SampleQuery> queries_;   // winner or count is another
-  std::vector<SampleQuery> overlaps_;  // values are others, and another part of the winner may be there
+  SamplePass pass_;  // its values: depth, varyings, built-ins, resolved planes
   std::vector<SampleDifference> differing_, allowed_;
 };
 
@@ -361,13 +295,13 @@ bool alike(const Frame& a, const Frame& b) {
 }  // namespace
 
 Result<SceneResult> compare(const Scene& scene, const rasterizer::Rules& rules, const Frame& reference,
-                            const Frame& actual) {
+                            const Frame& actual, unsigned threads) {
   if (!alike(reference, actual)) {
     return fail(ErrorCode::BadInput, scene.name, "the two frames do not have the same planes",
                 "both have to be rendered from this scene");
   }
   const rasterizer::Rules applied = rasterizer::rulesFor(scene, rules);
-  return Comparison(scene, applied, reference, actual).run();
+  return Comparison(scene, applied, reference, actual).run(threads);
 }
 
 }  // namespace rasterdiff::harness

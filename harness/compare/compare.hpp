@@ -9,8 +9,9 @@ namespace rasterdiff::harness {
 inline constexpr size_t kListedDifferences = 16;
 
 /// Judges `actual` (the driver's) against `reference` = rasterizer::render(scene, rules). Fills everything of the
-/// result except `seconds` and `ruleCoverage`. Both frames must have been made from `scene`.
+/// result except `seconds` and `ruleCoverage`. Both frames must have been made from `scene`. The result does not depend on
+/// the number of threads.
 [[nodiscard]] Result<SceneResult> compare(const Scene& scene, const rasterizer::Rules& rules, const Frame& reference,
-                                          const Frame& actual);
+                                          const Frame& actual, unsigned threads = 1);
 
 }  // namespace rasterdiff::harness

@@ -27,7 +27,7 @@ void ValueAccumulator::add(const Place& place, float expected, float actual, Bou
     return;
   }
   const double ulps = ulpDistance(expected, actual);
-  if (std::isfinite(ulps)) ulpSum_ += ulps;
+  if (std::isfinite(ulps)) ulpSum_ += static_cast<uint64_t>(ulps);
   if (ulps > stats_.maxUlp || !stats_.worst) {
     stats_.maxUlp = std::max(stats_.maxUlp, ulps);
     stats_.worst = worstAt(place, expected, actual, legal);
@@ -52,8 +52,38 @@ void ValueAccumulator::addUndrawn(const Place& place, float clear, float actual,
   if (!either) differs(place, clear, actual, legal);
 }
 
+bool ValueAccumulator::addTally(const ValueTally& tally, uint64_t compared) {
+  stats_.compared += compared;
+  stats_.allowed += tally.allowed;
+  stats_.same += compared - tally.allowed;
+  ulpSum_ += tally.ulpSum;
+  const bool worst = tally.maxUlp > stats_.maxUlp || (tally.unequal && !stats_.worst);
+  stats_.maxUlp = std::max(stats_.maxUlp, static_cast<double>(tally.maxUlp));
+  stats_.maxAbs = std::max(stats_.maxAbs, tally.maxAbs);
+  stats_.maxRatio = std::max(stats_.maxRatio, tally.maxRatio);
+  return worst;
+}
+
+void ValueAccumulator::setWorst(const Place& place, float expected, float actual, Bounds legal) {
+  stats_.worst = worstAt(place, expected, actual, legal);
+}
+
+void ValueAccumulator::append(const ValueAccumulator& later) {
+  const ValueStats& more = later.stats_;
+  if (more.worst && (more.maxUlp > stats_.maxUlp || !stats_.worst)) stats_.worst = more.worst;
+  if (!stats_.firstDiffering) stats_.firstDiffering = more.firstDiffering;
+  stats_.compared += more.compared;
+  stats_.same += more.same;
+  stats_.allowed += more.allowed;
+  stats_.differing += more.differing;
+  stats_.maxUlp = std::max(stats_.maxUlp, more.maxUlp);
+  stats_.maxAbs = std::max(stats_.maxAbs, more.maxAbs);
+  stats_.maxRatio = std::max(stats_.maxRatio, more.maxRatio);
+  ulpSum_ += later.ulpSum_;
+}
+
 ValueStats ValueAccumulator::take() {
-  stats_.meanUlp = stats_.compared == 0 ? 0 : ulpSum_ / static_cast<double>(stats_.compared);
+  stats_.meanUlp = stats_.compared == 0 ? 0 : static_cast<double>(ulpSum_) / static_cast<double>(stats_.compared);
   return std::move(stats_);
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "harness/compare/placement/placement_answer.hpp"
+#include "harness/compare/seconds.hpp"
 
 namespace rasterdiff::harness {
 
@@ -46,10 +47,6 @@ enum class BaselineStatus : uint8_t {
   Improved,      ///< listed, but no longer differs: the entry has to go
 };
 [[nodiscard]] std::string_view toString(BaselineStatus status);
-
-struct Seconds {
-  double reference = 0, driver = 0, compare = 0;
-};
 
 struct SceneResult {
   std::string id;

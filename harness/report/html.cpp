@@ -8,6 +8,7 @@
 #include "harness/report/markup.hpp"
 #include "harness/report/numbers.hpp"
 #include "harness/report/rule_survey.hpp"
+#include "harness/report/time_text.hpp"
 #include "rasterizer/freedoms.hpp"
 #include "rasterizer/rule_counts.hpp"
 #include "report_css.hpp"
@@ -45,7 +46,7 @@ void writeTiles(Out out, const Report& report, const Totals& totals) {
                                                       : "samples differ");
   if (totals.values > 0) tile(grouped(totals.valuesDiffering), fmt::format("of {} values differ", grouped(totals.values)));
   tile(secondsText(report.wallSeconds), fmt::format("wall, {}", counted(report.workers, "worker")));
-  fmt::format_to(out, "</div>\n");
+  fmt::format_to(out, "</div>\n<p class=\"soft\">Time: {}. {}.</p>\n", timeText(totals.seconds), shareText(totals.seconds));
 }
 
 /// The picture at the top: the largest mesh.

@@ -9,6 +9,7 @@
 #include "harness/report/markup.hpp"
 #include "harness/report/numbers.hpp"
 #include "harness/report/rule_survey.hpp"
+#include "harness/report/time_text.hpp"
 
 namespace rasterdiff::harness {
 namespace {
@@ -93,9 +94,7 @@ void writeFacts(Out out, const SceneEntry& entry) {
   if (entry.batches > 1) fmt::format_to(out, " {} added up.", counted(entry.batches, "batch of random triangles"));
   fmt::format_to(out, " <b>{}</b> same, <b>{}</b> allowed, <b>{}</b> differ.", grouped(result.same),
                  grouped(result.allowed), grouped(result.differing));
-  fmt::format_to(out, " <span class=\"soft\">Reference {}, driver {}, compare {}.</span></p>\n",
-                 secondsText(result.seconds.reference), secondsText(result.seconds.driver),
-                 secondsText(result.seconds.compare));
+  fmt::format_to(out, " <span class=\"soft\">Time: {}.</span></p>\n", timeText(result.seconds));
   if (!result.freedoms.empty()) {
     fmt::format_to(out, "<p>Freedoms used:");
     for (const auto& [freedom, count] : result.freedoms) {

@@ -79,7 +79,10 @@ std::string textOf(const Json& json, int indent) {
 }
 
 Json jsonOf(const Seconds& seconds) {
-  return {{"reference", seconds.reference}, {"driver", seconds.driver}, {"compare", seconds.compare}};
+  const DriverSeconds& parts = seconds.parts;
+  return {{"setUp", seconds.setUp},       {"reference", seconds.reference}, {"driver", seconds.driver},
+          {"drawing", parts.drawing},     {"pipelines", parts.pipelines},   {"upload", parts.upload},
+          {"readback", parts.readback},   {"compare", seconds.compare},     {"pictures", seconds.pictures}};
 }
 
 Json jsonOf(const Error& error) {

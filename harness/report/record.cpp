@@ -89,6 +89,11 @@ PlacementAnswer placementIn(const Json& json) {
   return answer;
 }
 
+Seconds secondsIn(const Json& json) {
+  return {json.at("setUp"),    json.at("reference"), json.at("driver"), json.at("compare"),
+          json.at("pictures"), {json.at("drawing"), json.at("pipelines"), json.at("upload"), json.at("readback")}};
+}
+
 SceneResult resultIn(const Json& json) {
   SceneResult result;
   result.id = json.at("id");
@@ -104,8 +109,7 @@ SceneResult resultIn(const Json& json) {
   for (const auto& [name, value] : json.at("values").items()) result.values.push_back(valueIn(name, value));
   for (const Json& difference : json.at("differences")) result.differences.push_back(differenceIn(difference));
   if (json.contains("placement")) result.placement = placementIn(json.at("placement"));
-  const Json& seconds = json.at("seconds");
-  result.seconds = {seconds.at("reference"), seconds.at("driver"), seconds.at("compare")};
+  result.seconds = secondsIn(json.at("seconds"));
   return result;
 }
 

@@ -8,6 +8,7 @@
 
 #include "harness/report/numbers.hpp"
 #include "harness/report/rule_survey.hpp"
+#include "harness/report/time_text.hpp"
 #include "rasterizer/rule_counts.hpp"
 
 namespace rasterdiff::harness {
@@ -216,9 +217,8 @@ std::string summaryText(const Report& report) {
   writePlacements(out, report, totals);
   writeCounts(out, "decided", totals.ruleCoverage, true);
   writeValues(out, totals);
-  fmt::format_to(out, "time      reference {}, driver {}, compare {}; wall {} on {}; {} drawn\n",
-                 secondsText(totals.seconds.reference), secondsText(totals.seconds.driver),
-                 secondsText(totals.seconds.compare), secondsText(report.wallSeconds),
+  fmt::format_to(out, "time      {}\n", timeText(totals.seconds));
+  fmt::format_to(out, "          {}; wall {} on {}; {} drawn\n", shareText(totals.seconds), secondsText(report.wallSeconds),
                  counted(report.workers, "worker"), counted(totals.primitives, "primitive"));
   text += '\n';
   writeSkips(out, report);

@@ -113,9 +113,7 @@ void addEntry(Totals& totals, const SceneEntry& entry) {
     const auto at = entry.worstAt.find(value.name);
     totals.worstAt[value.name] = at == entry.worstAt.end() ? entry.address : at->second;
   }
-  totals.seconds.reference += result.seconds.reference;
-  totals.seconds.driver += result.seconds.driver;
-  totals.seconds.compare += result.seconds.compare;
+  totals.seconds += result.seconds;
 }
 
 }  // namespace
@@ -166,9 +164,7 @@ void addBatch(SceneEntry& sum, SceneEntry batch) {
       sum.worstAt[value.name] = batch.address;
     }
   }
-  into.seconds.reference += from.seconds.reference;
-  into.seconds.driver += from.seconds.driver;
-  into.seconds.compare += from.seconds.compare;
+  into.seconds += from.seconds;
   if (gravity(from.verdict) > gravity(into.verdict)) {
     into.verdict = from.verdict;
     into.reason = std::move(from.reason);

@@ -71,6 +71,30 @@ TEST(Json, CountsAddUp) {
   EXPECT_EQ(results.at("totals").at("differing"), differing);
 }
 
+TEST(Json, PartsOfTheDriversTimeAreThoseOfTheWholeCall) {
+  const nlohmann::json results = resultsOf({"fill/*", "samples/*", "invariant/indexed"});
+  if (results.is_discarded() || results.at("scenes").empty()) GTEST_SKIP() << "no driver";
+  double drawing = 0;
+  for (const auto& scene : results.at("scenes")) {
+    const nlohmann::json& seconds = scene.at("seconds");
+    const double parts = seconds.at("drawing").get<double>() + seconds.at("pipelines").get<double>() +
+                         seconds.at("upload").get<double>() + seconds.at("readback").get<double>();
+    EXPECT_LE(parts, seconds.at("driver").get<double>() * (1 + 1e-9)) << scene.at("id");
+    EXPECT_EQ(seconds.at("pictures"), 0.0);
+    drawing += seconds.at("drawing").get<double>();
+  }
+  EXPECT_GT(drawing, 0);
+  EXPECT_NEAR(results.at("totals").at("seconds").at("drawing").get<double>(), drawing, 1e-9 * drawing);
+}
+
+TEST(Json, ARendererThatIsNoDeviceOnlyDraws) {
+  for (const auto& scene : resultsOf({"fill/*", "--driver", "mutant:half-pixel-shift"}).at("scenes")) {
+    const nlohmann::json& seconds = scene.at("seconds");
+    EXPECT_EQ(seconds.at("drawing"), seconds.at("driver"));
+    for (const char* part : {"pipelines", "upload", "readback"}) EXPECT_EQ(seconds.at(part), 0.0);
+  }
+}
+
 TEST(Html, LoadsNothingFromAnywhere) {
   const TemporaryFolder folder;
   const std::string path = folder.path("report.html");

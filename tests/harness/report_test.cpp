@@ -10,6 +10,7 @@
 #include "harness/report/picture.hpp"
 #include "harness/report/record.hpp"
 #include "harness/report/text_picture.hpp"
+#include "harness/report/time_text.hpp"
 
 namespace rasterdiff::harness {
 namespace {
@@ -102,6 +103,35 @@ TEST(Totals, BatchesAddUpAndTheWorstOneSpeaks) {
   EXPECT_EQ(sum.result.ruleCoverage.at("R15"), 28U);
   EXPECT_EQ(sum.result.verdict, Verdict::Differs);
   EXPECT_EQ(sum.address, "f@2");
+}
+
+Seconds everySecond(double unit) {
+  return {1 * unit, 2 * unit, 60 * unit, 4 * unit, 5 * unit, {30 * unit, 20 * unit, 6 * unit, 3 * unit}};
+}
+
+TEST(Time, EveryPartSurvivesTheRecordAndAddsUp) {
+  SceneEntry entry = entryWith(Verdict::Same, 0, "a");
+  entry.result.seconds = everySecond(0.25);
+  const Result<SceneEntry> read = readSceneRecord(recordOf(entry));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(recordOf(*read), recordOf(entry));
+  addBatch(entry, *read);
+  const Seconds all = totalsOf(std::vector<SceneEntry>{entry, *read}).seconds;
+  SceneEntry expected = entryWith(Verdict::Same, 0, "a");
+  expected.result.seconds = everySecond(0.75);
+  SceneEntry summed = entryWith(Verdict::Same, 0, "a");
+  summed.result.seconds = all;
+  EXPECT_EQ(recordOf(summed), recordOf(expected));
+}
+
+TEST(Time, WhatIsNotTheDriversOwnWorkIsTheHarnesss) {
+  const Seconds seconds = everySecond(1);  // one second of the driver's call belongs to none of its parts
+  EXPECT_EQ(ownSeconds(seconds), 1 + 2 + (60 - 30 - 20) + 4 + 5);
+  EXPECT_EQ(shareText(seconds), "All but the driver's drawing and pipelines 22.0 s, 0.73 of its drawing");
+  EXPECT_EQ(timeText(seconds),
+            "driver 60.0 s (drawing 30.0 s, pipelines 20.0 s, upload 6.00 s, readback 3.00 s), reference 2.00 s, compare 4.00 s, "
+            "set-up 1.00 s, pictures 5.00 s");
+  EXPECT_EQ(shareText({}), "All but the driver's drawing and pipelines 0 µs");
 }
 
 TEST(Totals, ExitStatusRanksCrashOverErrorOverDifference) {

@@ -57,6 +57,23 @@ TEST_P(DriverCost, StateThatIsDynamicMakesNoPipeline) {
   EXPECT_EQ(device().lastCost().pipelinesCreated, 1U);
 }
 
+TEST_P(DriverCost, TimeIsSplitAndPipelinesTakeItOnlyWhenTheyAreMade) {
+  Scene scene = sceneOf(wholeTarget(), 8, 8, 4);
+  scene.state.provokingVertexMode = ProvokingVertexMode::LAST_VERTEX;
+  draw(scene);
+  draw(scene);
+  const RenderCost again = device().lastCost();
+  EXPECT_EQ(again.pipelineSeconds, 0);
+  for (const double seconds : {again.uploadSeconds, again.drawSeconds, again.readbackSeconds}) EXPECT_GT(seconds, 0);
+  scene.target.depthFormat = DepthFormat::D32_SFLOAT;
+  scene.state.depthClampEnable = true;
+  scene.draws.front().varyings = {constantVarying("unseen", 3, {1, 2})};
+  draw(scene);
+  const RenderCost first = device().lastCost();
+  EXPECT_EQ(first.pipelineSeconds > 0, first.pipelinesCreated > 0);
+  EXPECT_GE(first.uploadSeconds, 0);
+}
+
 TEST_P(DriverCost, StateThatASceneDoesNotUseMakesNoPipeline) {
   Scene scene = sceneOf(wholeTarget());
   draw(scene);
