@@ -14,7 +14,6 @@
 namespace rasterdiff::rasterizer {
 namespace {
 
-constexpr uint64_t kFewTriangles = 1000;            // drawn one by one sooner than they are sorted into bands
 constexpr size_t kBandBytes = size_t{3} << 20;      // of a band's planes: they should stay in the cache
 constexpr uint32_t kLeastRows = 16, kMostRows = 256;  // of a band
 
@@ -30,10 +29,6 @@ bool needsNothingElse(const Scene& scene, const SceneNeeds& needs, const Rules& 
   if (state.shaderSampleMask != ShaderSampleMask::NONE) return false;
   if (needs.depth && !(state.depthTestEnable && state.depthWriteEnable && state.depthCompareOp == CompareOp::LESS)) return false;
   return (!needs.depth && needs.varyings == 0) || PieceValues(scene, needs, rules).mayWait();
-}
-
-bool drawsManyTriangles(const Scene& scene) {
-  return fillsTriangles(scene.state) && primitiveCount(scene) > kFewTriangles;
 }
 
 bool onlyTargetCuts(const Scene& scene, const Rules& rules) {
@@ -98,7 +93,7 @@ void count(RuleCounts& counts, const BandTally& tally, bool deep) {
 
 std::optional<KernelFrame> KernelFrame::of(const Scene& scene, const Rules& rules, std::span<const SubpixelPosition> pattern) {
   const bool ruled = !rules.open && rules.error == DeliberateError::None && !rules.variation && ownsTopLeft(rules.choices);
-  if (!ruled || !drawsManyTriangles(scene) || !needsNothingElse(scene, needsOf(scene), rules) || !onlyTargetCuts(scene, rules)) return std::nullopt;
+  if (!ruled || !fillsTriangles(scene.state) || !needsNothingElse(scene, needsOf(scene), rules) || !onlyTargetCuts(scene, rules)) return std::nullopt;
   if (rules.choices.cutFill != CutFill::Fan && mayClip(scene)) return std::nullopt;  // a cut polygon may be folded
   if (cutsByDistance(scene) || !atStandardLocations(scene.target.samples, pattern)) return std::nullopt;
   return KernelFrame(scene, rules, pattern);

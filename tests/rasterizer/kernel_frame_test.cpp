@@ -127,7 +127,7 @@ TEST(KernelFrame, LeavesWhatIsNotItsRuleToTheOthers) {
   const Rules rules = Rules::profile("reference", Limits{}).value();
   ASSERT_TRUE(served(scene, rules));
   EXPECT_FALSE(served(scene, Rules::specification(Limits{})));
-  EXPECT_FALSE(served(entry[0]->remake(5, 20).value(), rules));
+  EXPECT_TRUE(served(entry[0]->remake(5, 20).value(), rules));
   Rules otherOwner = rules;
   otherOwner.choices.tieOwner = TieOwner::BottomRight;
   EXPECT_FALSE(served(scene, otherOwner));
