@@ -149,11 +149,12 @@ void BandDrawer::findRuns(uint32_t rows) {
   }
 }
 
-// `last`: nothing may be written behind this row.
+// `last`: nothing may be written behind this row. Behind others the next row is, which overwrites what is too much, unless it is so
+// short that there is more of that.
 void BandDrawer::settleRow(uint32_t bandRow, uint32_t y, bool last) {
   const uint32_t samples = frame_.samples, width = frame_.width;
   const size_t length = width + kRowSlack, to = frame_.primitive.index(0, y, 0);
-  const bool deep = frame_.depth.has_value(), atOnce = samples == 1 && !last;
+  const bool deep = frame_.depth.has_value(), atOnce = samples == 1 && !last && width >= kRowSlack;
   for (uint32_t s = 0; s < samples; ++s) {
     const size_t at = size_t{bandRow} * samples + s;
     const auto runs = std::span<const SettledRun>(runs_).subspan(rowRuns_[at], rowRuns_[at + 1] - rowRuns_[at]);

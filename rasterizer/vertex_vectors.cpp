@@ -216,7 +216,7 @@ uint64_t StageAll(std::span<const ClipPosition> positions, const VertexStage& st
     if (HWY_UNLIKELY(count < kLanes)) std::copy(given, given + count, rest), given = rest;
     ClipVectors p;
     hn::LoadInterleaved4(f, &given->x, p.x, p.y, p.z, p.w);
-    divided += hn::CountTrue(f, hn::Ne(p.w, hn::Set(f, 1)));
+    divided += kLanes - hn::CountTrue(f, hn::Eq(p.w, hn::Set(f, 1)));  // NaN is not 1 either
     const auto x = Snap(p.x, p.w, stage.viewport.x, staging), y = Snap(p.y, p.w, stage.viewport.y, staging);
     alignas(64) SubpixelPosition snapped[kLanes];
     alignas(64) uint32_t codes[kLanes];
