@@ -45,7 +45,7 @@ Result<float> DepthFetches::fetchOf(float depth, const Image& image, const Buffe
   recordBarriers(context_, *commands, {transferBarrier(image)});
   if (const Result<void> reset = unpack.reset(); !reset) return tl::unexpected(reset.error());
   const uint32_t components = unpackedComponents(image.key.samples, 1);
-  const Result<void> recorded = unpack.record(*commands, image, components, buffer.buffer.get(), 0);
+  const Result<void> recorded = unpack.record(*commands, image, {0, image.key.height, components}, buffer.buffer.get(), 0);
   if (!recorded) return tl::unexpected(recorded.error());
   recordHostBarrier(context_, *commands);
   if (const Result<void> run = submission.run(); !run) return tl::unexpected(run.error());

@@ -1,115 +1,107 @@
-// Records copies or unpacking of every attachment, and moves the bytes into a Frame.
+// Reads attachments through a small buffer, a batch of rows a submit: while the host takes one batch over, the device
+// brings the next one. What goes through it stays in the cache, and no second copy of a large frame needs memory.
 #include "vkref/readback.hpp"
 
 #include <algorithm>
+#include <span>
 
-#include "scene/built_ins.hpp"
 #include "vkref/commands.hpp"
-#include "vkref/huge_pages.hpp"
+#include "vkref/geometry.hpp"
+#include "vkref/plane_sink.hpp"
 #include "vkref/vk_error.hpp"
 #include "vkref/vk_struct.hpp"
 
 namespace rasterdiff::vkref {
 namespace {
 
-/// A sum of ones in float32 stops growing here; below, every count is exact.
-constexpr float kInexactCount = 16777216;
+constexpr VkDeviceSize kPieceAlignment = 256;  ///< no device asks for more of a storage buffer's offset
+/// Copies cost little to begin, and go through the cache; a dispatch of the unpack shader costs lavapipe 0.3 ms.
+constexpr VkDeviceSize kCopiedBytes = VkDeviceSize{2} << 20, kUnpackedBytes = VkDeviceSize{16} << 20;  ///< a batch
 
-constexpr VkDeviceSize kPlaneAlignment = 256;  ///< no device asks for more of a storage buffer's offset
+VkDeviceSize aligned(VkDeviceSize bytes) { return (bytes + kPieceAlignment - 1) / kPieceAlignment * kPieceAlignment; }
 
-void recordCopy(const Context& context, VkCommandBuffer commands, const Image& image, VkBuffer buffer,
-                VkDeviceSize offset) {
+/// Some rows of one attachment in the buffer.
+struct Piece {
+  const PlaneSink* sink = nullptr;
+  uint32_t first = 0, rows = 0;
+  VkDeviceSize offset = 0;
+};
+using Batch = std::vector<Piece>;
+
+/// All rows of all attachments, in batches that fit `capacity` bytes each, which has room for any one row.
+std::vector<Batch> batchesOf(std::span<const PlaneSink> sinks, VkDeviceSize capacity) {
+  std::vector<Batch> batches(1);
+  VkDeviceSize used = 0;
+  for (const PlaneSink& sink : sinks) {
+    const uint32_t height = sink.image->key.height;
+    for (uint32_t first = 0; first < height;) {
+      const auto fitting = static_cast<uint32_t>(std::min<VkDeviceSize>((capacity - used) / sink.rowBytes, height - first));
+      if (fitting == 0) {
+        batches.emplace_back();
+        used = 0;
+        continue;
+      }
+      batches.back().push_back({&sink, first, fitting, used});
+      used = std::min(capacity, aligned(used + fitting * sink.rowBytes));
+      first += fitting;
+    }
+  }
+  return batches;
+}
+
+void recordCopy(const Context& context, VkCommandBuffer commands, const Piece& piece, VkBuffer buffer) {
+  const Image& image = *piece.sink->image;
   VkBufferImageCopy region{};
-  region.bufferOffset = offset;
+  region.bufferOffset = piece.offset;
   region.imageSubresource = {aspectOf(image.key.format), 0, 0, 1};
-  region.imageExtent = {image.key.width, image.key.height, 1};
+  region.imageOffset = {0, static_cast<int32_t>(piece.first), 0};
+  region.imageExtent = {image.key.width, piece.rows, 1};
   context.vk.vkCmdCopyImageToBuffer(commands, image.image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer, 1,
                                     &region);
 }
 
-/// A plane of the plan's extents without any data yet, and room for all of it.
-template <class T>
-Plane<T> emptyPlane(const RenderPlan& plan, uint32_t samples, uint32_t components) {
-  Plane<T> plane;
-  plane.width = plan.width;
-  plane.height = plan.height;
-  plane.samples = samples;
-  plane.components = components;
-  plane.data.reserve(size_t{plan.width} * plan.height * samples * components);
-  adviseHugePages(plane.data.data(), plane.data.capacity() * sizeof(T));
-  return plane;
+Result<void> recordBatch(const Batch& batch, VkCommandBuffer commands, VkBuffer buffer, ReadbackTools& tools) {
+  for (const Piece& piece : batch) {
+    if (piece.sink->image->key.samples == 1) {
+      recordCopy(tools.context, commands, piece, buffer);
+      continue;
+    }
+    const Result<void> recorded =
+        tools.unpack.record(commands, *piece.sink->image, {piece.first, piece.rows, piece.sink->stride}, buffer, piece.offset);
+    if (!recorded) return recorded;
+  }
+  recordHostBarrier(tools.context, commands);
+  return {};
 }
 
-/// The values at `from` as a plane, `stride` of them a sample; a single copy where they lie tight.
-template <class T>
-Plane<T> copyPlane(const RenderPlan& plan, uint32_t samples, const std::byte* from, uint32_t components,
-                   uint32_t stride) {
-  Plane<T> plane = emptyPlane<T>(plan, samples, components);
-  const size_t count = size_t{plan.width} * plan.height * samples;
-  const T* values = reinterpret_cast<const T*>(from);
-  if (stride == components) {
-    plane.data.assign(values, values + count * components);
-    return plane;
+Result<void> take(const Batch& batch, const std::byte* mapped) {
+  for (const Piece& piece : batch) {
+    if (Result<void> taken = piece.sink->take(mapped + piece.offset, piece.first, piece.rows); !taken) return taken;
   }
-  plane.data.resize(count * components);
-  T* to = plane.data.data();
-  for (size_t i = 0; i < count; ++i, to += components, values += stride) std::copy_n(values, components, to);
-  return plane;
+  return {};
 }
 
-Plane<float> depthPlane(const RenderPlan& plan, uint32_t samples, const std::byte* from, uint32_t stride, DepthFetch fetch) {
-  if (samples > 1) {
-    Plane<float> plane = copyPlane<float>(plan, plan.samples, from, 1, stride);
-    restoreFetchedDepths(plan.depth, fetch, plane.data);
-    return plane;
-  }
-  Plane<float> plane = emptyPlane<float>(plan, 1, 1);
-  plane.data.resize(size_t{plan.width} * plan.height);
-  copyDepths(plan.depth, from, plane.data);
-  return plane;
-}
-
-/// Counts that were summed as floats. Error: NotOffered where a sum has stopped being exact.
-Result<Plane<uint32_t>> countPlane(const RenderPlan& plan, const std::byte* from, uint32_t stride) {
-  Plane<uint32_t> plane = emptyPlane<uint32_t>(plan, plan.samples, 1);
-  plane.data.resize(size_t{plan.width} * plan.height * plan.samples);
-  const float* counts = reinterpret_cast<const float*>(from);
-  bool exact = true;
-  for (size_t i = 0; i < plane.data.size(); ++i) {
-    const float count = counts[i * stride];
-    exact &= count < kInexactCount;
-    plane.data[i] = static_cast<uint32_t>(count < kInexactCount ? count : 0);
-  }
-  if (!exact) {
-    return fail(ErrorCode::NotOffered, "draws", "a sample was written 2^24 times or more: float counts end there");
-  }
-  return plane;
-}
-
-/// Reserves a place for each image and counts its bytes.
-VkDeviceSize placePlanes(const RenderPlan& plan, const Attachments& attachments, Readback& readback, RenderCost& cost) {
-  VkDeviceSize bytes = 0;
-  const auto place = [&](const Image& image, uint32_t components) {
-    const Image::Key& key = image.key;
-    const VkDeviceSize texels = VkDeviceSize{key.width} * key.height * key.samples;
-    PlaneLocation location;
-    location.offset = bytes;
-    location.stride = key.samples == 1 ? static_cast<uint32_t>(std::max<VkDeviceSize>(texelBytes(key.format) / 4, 1))
-                                       : unpackedComponents(key.samples, components);
-    const VkDeviceSize size = texels * (key.samples == 1 ? copiedBytes(key.format) : location.stride * 4);
-    cost.readbackBytes += size;
-    bytes += (size + kPlaneAlignment - 1) / kPlaneAlignment * kPlaneAlignment;
-    return location;
+/// Error as of readFrame, after which a submit may be pending.
+Result<void> runBatches(std::span<const PlaneSink> sinks, const std::vector<Batch>& batches, ReadbackTools& tools) {
+  const auto slotOf = [](size_t batch) { return batch % Submission::kSlots; };
+  const auto finish = [&](size_t batch) -> Result<void> {
+    if (Result<void> waited = tools.submission.wait(slotOf(batch)); !waited) return waited;
+    return take(batches[batch], tools.buffers[slotOf(batch)]->mapped);
   };
-  for (size_t i = 0; i < plan.color.size(); ++i) {
-    readback.color.push_back(place(*attachments.color[i], plan.color[i].components));
+  for (size_t k = 0; k < batches.size(); ++k) {
+    const Result<VkCommandBuffer> commands = tools.submission.begin(slotOf(k));
+    if (!commands) return tl::unexpected(commands.error());
+    if (k == 0) {
+      std::vector<VkImageMemoryBarrier2> barriers;
+      for (const PlaneSink& sink : sinks) barriers.push_back(transferBarrier(*sink.image));
+      recordBarriers(tools.context, *commands, barriers);
+    }
+    if (Result<void> recorded = recordBatch(batches[k], *commands, tools.buffers[slotOf(k)]->buffer.get(), tools); !recorded) return recorded;
+    if (Result<void> submitted = tools.submission.submit(slotOf(k)); !submitted) return submitted;
+    if (k == 0) continue;
+    if (Result<void> finished = finish(k - 1); !finished) return finished;
   }
-  for (size_t v = 0; v < attachments.resolved.size(); ++v) {
-    readback.resolved.push_back(place(*attachments.resolved[v], plan.color[kFirstVarying + v].components));
-  }
-  if (attachments.depth) readback.depth = place(*attachments.depth, 1);
-  if (attachments.resolvedDepth) readback.resolvedDepth = place(*attachments.resolvedDepth, 1);
-  return bytes;
+  return finish(batches.size() - 1);
 }
 
 }  // namespace
@@ -139,71 +131,29 @@ void recordHostBarrier(const Context& context, VkCommandBuffer commands) {
   context.vk.vkCmdPipelineBarrier2(commands, &info);
 }
 
-Result<Readback> recordReadback(const Context& context, VkCommandBuffer commands, const RenderPlan& plan,
-                                const Attachments& attachments, Pool<Buffer>& buffers, Unpack& unpack,
-                                RenderCost& cost) {
-  Readback readback;
-  const VkDeviceSize bytes = placePlanes(plan, attachments, readback, cost);
-  Result<Pool<Buffer>::Lease> buffer =
-      acquireBuffer(buffers, bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-  if (!buffer) return tl::unexpected(buffer.error());
-  readback.buffer = std::move(*buffer);
-
-  std::vector<std::pair<const Image*, const PlaneLocation*>> planes;
-  for (size_t i = 0; i < plan.color.size(); ++i) planes.emplace_back(attachments.color[i].get(), &readback.color[i]);
-  for (size_t v = 0; v < attachments.resolved.size(); ++v) {
-    planes.emplace_back(attachments.resolved[v].get(), &readback.resolved[v]);
-  }
-  if (attachments.depth) planes.emplace_back(attachments.depth.get(), &readback.depth);
-  if (attachments.resolvedDepth) planes.emplace_back(attachments.resolvedDepth.get(), &readback.resolvedDepth);
-  std::vector<VkImageMemoryBarrier2> barriers;
-  for (const auto& [image, location] : planes) barriers.push_back(transferBarrier(*image));
-  recordBarriers(context, commands, barriers);
-
-  if (const Result<void> reset = unpack.reset(); !reset) return tl::unexpected(reset.error());
-  const VkBuffer to = readback.buffer->buffer.get();
-  for (const auto& [image, location] : planes) {
-    if (image->key.samples == 1) {
-      recordCopy(context, commands, *image, to, location->offset);
-      continue;
-    }
-    const Result<void> recorded = unpack.record(commands, *image, location->stride, to, location->offset);
-    if (!recorded) return tl::unexpected(recorded.error());
-  }
-  recordHostBarrier(context, commands);
-  return readback;
-}
-
-Result<Frame> frameOf(const Scene& scene, const RenderPlan& plan, const Readback& readback, DepthFetch fetch) {
-  const std::byte* mapped = readback.buffer->mapped;
-  const auto plane = [&]<class T>(T, uint32_t samples, uint32_t components, const PlaneLocation& location) {
-    return copyPlane<T>(plan, samples, mapped + location.offset, components, location.stride);
-  };
+Result<Frame> readFrame(const Scene& scene, const RenderPlan& plan, const Attachments& attachments, DepthFetch fetch,
+                        ReadbackTools& tools, RenderCost& cost) {
   Frame frame;
-  frame.width = plan.width;
-  frame.height = plan.height;
-  frame.samples = plan.samples;
-  frame.primitive = plane(uint32_t{}, plan.samples, 1, readback.color[0]);
-  Result<Plane<uint32_t>> counts = countPlane(plan, mapped + readback.color[1].offset, readback.color[1].stride);
-  if (!counts) return tl::unexpected(counts.error());
-  frame.count = std::move(*counts);
-  if (plan.depth != VK_FORMAT_UNDEFINED) {
-    frame.depth = depthPlane(plan, plan.samples, mapped + readback.depth.offset, readback.depth.stride, fetch);
+  const std::vector<PlaneSink> sinks = planeSinks(scene, plan, attachments, fetch, frame);
+  VkDeviceSize bytes = 0, longestRow = 0;
+  for (const PlaneSink& sink : sinks) {
+    cost.readbackBytes += sink.rowBytes * sink.image->key.height;
+    bytes += aligned(sink.rowBytes * sink.image->key.height);
+    longestRow = std::max(longestRow, sink.rowBytes);
   }
-  for (size_t i = kFirstVarying; i < plan.color.size(); ++i) {
-    const size_t v = i - kFirstVarying;
-    const uint32_t components = plan.color[i].components;
-    std::string name(v < plan.varyings ? std::string_view(scene.draws.front().varyings[v].name)
-                                       : builtInName(scene.builtIns[v - plan.varyings]));
-    frame.varyings.push_back(
-        {std::move(name), plane(float{}, plan.samples, components, readback.color[i]), std::nullopt});
-    if (v >= readback.resolved.size()) continue;
-    frame.resolved.push_back(
-        {frame.varyings.back().name, plane(float{}, 1, components, readback.resolved[v]), std::nullopt});
+  const VkDeviceSize capacity = std::min(bytes, std::max(plan.samples == 1 ? kCopiedBytes : kUnpackedBytes, longestRow));
+  const std::vector<Batch> batches = batchesOf(sinks, capacity);
+  for (size_t slot = 0; slot < std::min(batches.size(), Submission::kSlots); ++slot) {
+    Result<Pool<Buffer>::Lease> buffer =
+        acquireBuffer(tools.pool, capacity, VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    if (!buffer) return tl::unexpected(buffer.error());
+    tools.buffers.push_back(std::move(*buffer));
   }
-  if (plan.depthResolve != VK_RESOLVE_MODE_NONE) {
-    frame.resolved.push_back(
-        {"depth", depthPlane(plan, 1, mapped + readback.resolvedDepth.offset, readback.resolvedDepth.stride, fetch), std::nullopt});
+  if (const Result<void> reset = tools.unpack.reset(); !reset) return tl::unexpected(reset.error());
+  if (const Result<void> run = runBatches(sinks, batches, tools); !run) {
+    if (run.error().code == ErrorCode::TimedOut) return tl::unexpected(run.error());
+    const Result<void> drained = tools.submission.drain();
+    return tl::unexpected(drained ? run.error() : drained.error());
   }
   return frame;
 }

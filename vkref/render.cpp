@@ -1,4 +1,6 @@
 // One scene on one device: plan, upload, draw, read back.
+#include <algorithm>
+#include <iterator>
 #include <new>
 
 #include "scene/primitive_class.hpp"
@@ -9,6 +11,9 @@
 
 namespace rasterdiff::vkref {
 namespace {
+
+/// The device may still use whatever it was given, and can draw no further scene.
+bool isLost(const Error& error) { return error.code == ErrorCode::DeviceLost || error.code == ErrorCode::TimedOut; }
 
 Result<Frame> draw(const Scene& scene, Device::Impl& impl) {
   Stopwatch watch;
@@ -60,19 +65,15 @@ Result<Frame> draw(const Scene& scene, Device::Impl& impl) {
   }
   cost.drawSeconds = watch.lap();
 
-  const Result<VkCommandBuffer> transfers = impl.submission->begin();
-  if (!transfers) return tl::unexpected(transfers.error());
-  Result<Readback> readback =
-      recordReadback(context, *transfers, plan, *attachments, *impl.buffers, *impl.unpack, cost);
-  if (!readback) return tl::unexpected(readback.error());
+  std::vector<Pool<Buffer>::Lease> buffers;
+  ReadbackTools tools{context, *impl.submission, *impl.buffers, *impl.unpack, buffers};
+  Result<Frame> frame = readFrame(scene, plan, *attachments, fetch, tools, cost);
   cost.pipelinesCreated = impl.pipelines->created() + impl.unpack->created() - pipelinesBefore;
-  if (const Result<void> read = impl.submission->run(); !read) {
-    abandon();
-    impl.abandonedBuffers.push_back(std::move(readback->buffer));
-    return tl::unexpected(read.error());
-  }
-  Result<Frame> frame = frameOf(scene, plan, *readback, fetch);
   cost.readbackSeconds = lapWithoutPipelines();
+  if (!frame && isLost(frame.error())) {
+    abandon();
+    std::move(buffers.begin(), buffers.end(), std::back_inserter(impl.abandonedBuffers));
+  }
   return frame;
 }
 
@@ -103,9 +104,7 @@ Result<Frame> render(const Scene& scene, Device& device) {
   if (impl.broken) return tl::unexpected(*impl.broken);
   try {
     Result<Frame> frame = drawAlone(scene, impl);
-    const bool unusable =
-        !frame && (frame.error().code == ErrorCode::DeviceLost || frame.error().code == ErrorCode::TimedOut);
-    if (unusable) impl.broken = frame.error();
+    if (!frame && isLost(frame.error())) impl.broken = frame.error();
     return frame;
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::NotOffered, "memory", "the frame needs more host memory than there is",

@@ -1,5 +1,7 @@
-// One command buffer at a time: recorded, submitted, and waited for no longer than a timeout.
+// Two command buffers: each is recorded, submitted, and waited for no longer than a timeout.
 #pragma once
+
+#include <array>
 
 #include "vkref/owned.hpp"
 
@@ -7,24 +9,36 @@ namespace rasterdiff::vkref {
 
 class Submission {
  public:
+  static constexpr size_t kSlots = 2;  ///< one can be recorded while the other one is executed
+
   [[nodiscard]] static Result<std::unique_ptr<Submission>> create(const Context& context, double timeoutSeconds);
 
-  /// An empty command buffer in the recording state; the one before has been executed. Error: DeviceLost.
-  [[nodiscard]] Result<VkCommandBuffer> begin();
-  /// Ends, submits and waits. Error: TimedOut, after which the work is still pending; DeviceLost.
-  [[nodiscard]] Result<void> run();
+  /// An empty command buffer in the recording state; what the slot held before has been waited for. Error: DeviceLost.
+  [[nodiscard]] Result<VkCommandBuffer> begin(size_t slot = 0);
+  /// Ends and submits what was recorded. Error: DeviceLost.
+  [[nodiscard]] Result<void> submit(size_t slot);
+  /// Waits for what was submitted. Error: TimedOut, after which the work is still pending; DeviceLost.
+  [[nodiscard]] Result<void> wait(size_t slot);
+  /// Both.
+  [[nodiscard]] Result<void> run(size_t slot = 0);
+  /// Waits for whatever is pending, so that both slots can be used again. Errors as of wait().
+  [[nodiscard]] Result<void> drain();
   /// Waits for what a timeout left behind. False: it still runs, and nothing it uses may be destroyed.
   [[nodiscard]] bool settle(double seconds);
 
  private:
+  struct Slot {
+    OwnedCommandPool pool;
+    OwnedFence fence;
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    bool pending = false;
+  };
   explicit Submission(const Context& context) : context_(context) {}
+  [[nodiscard]] Result<Slot> makeSlot() const;
 
   const Context& context_;
   double timeoutSeconds_ = 0;
-  OwnedCommandPool pool_;
-  OwnedFence fence_;
-  VkCommandBuffer commands_ = VK_NULL_HANDLE;
-  bool pending_ = false;
+  std::array<Slot, kSlots> slots_;
 };
 
 }  // namespace rasterdiff::vkref

@@ -1,9 +1,7 @@
-// Pipelines and descriptors of the unpack shader; splits images that exceed a storage buffer's range into bands.
+// Pipelines and descriptors of the unpack shader.
 #include "vkref/unpack.hpp"
 
-#include <algorithm>
 #include <array>
-#include <numeric>
 
 #include "scene/stopwatch.hpp"
 #include "vkref/vk_error.hpp"
@@ -18,15 +16,6 @@ constexpr uint32_t kGroupWidth = 16, kGroupHeight = 4;  ///< local size of the s
 struct Band {
   int32_t firstRow = 0, rows = 0, width = 0;
 };
-
-/// The most rows whose bytes fit a storage buffer's range and end at an offset that a binding may have.
-VkDeviceSize rowsPerBand(const VkPhysicalDeviceLimits& limits, VkDeviceSize rowBytes) {
-  const VkDeviceSize alignment = std::max<VkDeviceSize>(limits.minStorageBufferOffsetAlignment, 4);
-  const VkDeviceSize step = alignment / std::gcd(alignment, rowBytes);
-  // The shader counts words of a band in a signed 32-bit integer.
-  const VkDeviceSize range = std::min<VkDeviceSize>(limits.maxStorageBufferRange, VkDeviceSize{1} << 31);
-  return std::max(range / rowBytes / step * step, step);
-}
 
 }  // namespace
 
@@ -126,26 +115,18 @@ Result<VkDescriptorSet> Unpack::descriptors(const Image& image, VkBuffer buffer,
   return set;
 }
 
-Result<void> Unpack::record(VkCommandBuffer commands, const Image& image, uint32_t components, VkBuffer buffer,
-                            VkDeviceSize offset) {
+Result<void> Unpack::record(VkCommandBuffer commands, const Image& image, const Rows& rows, VkBuffer buffer, VkDeviceSize offset) {
   const Image::Key& key = image.key;
-  const Result<VkPipeline> pipe = pipeline({key.format == kPrimitiveFormat, key.samples, components});
+  const Result<VkPipeline> pipe = pipeline({key.format == kPrimitiveFormat, key.samples, rows.components});
   if (!pipe) return tl::unexpected(pipe.error());
+  const VkDeviceSize bytes = VkDeviceSize{rows.rows} * key.width * key.samples * rows.components * 4;
+  const Result<VkDescriptorSet> set = descriptors(image, buffer, offset, bytes);
+  if (!set) return tl::unexpected(set.error());
+  const Band band{static_cast<int32_t>(rows.first), static_cast<int32_t>(rows.rows), static_cast<int32_t>(key.width)};
   context_.vk.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, *pipe);
-
-  const VkDeviceSize rowBytes = VkDeviceSize{key.width} * key.samples * components * 4;
-  const VkDeviceSize step = rowsPerBand(context_.caps.vk, rowBytes);
-  for (VkDeviceSize first = 0; first < key.height; first += step) {
-    const VkDeviceSize rows = std::min(step, key.height - first);
-    const Result<VkDescriptorSet> set = descriptors(image, buffer, offset + first * rowBytes, rows * rowBytes);
-    if (!set) return tl::unexpected(set.error());
-    const Band band{static_cast<int32_t>(first), static_cast<int32_t>(rows), static_cast<int32_t>(key.width)};
-    context_.vk.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0, 1, &*set, 0,
-                                        nullptr);
-    context_.vk.vkCmdPushConstants(commands, layout_.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(band), &band);
-    context_.vk.vkCmdDispatch(commands, (key.width + kGroupWidth - 1) / kGroupWidth,
-                              static_cast<uint32_t>((rows + kGroupHeight - 1) / kGroupHeight), 1);
-  }
+  context_.vk.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0, 1, &*set, 0, nullptr);
+  context_.vk.vkCmdPushConstants(commands, layout_.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(band), &band);
+  context_.vk.vkCmdDispatch(commands, (key.width + kGroupWidth - 1) / kGroupWidth, (rows.rows + kGroupHeight - 1) / kGroupHeight, 1);
   return {};
 }
 

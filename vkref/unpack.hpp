@@ -17,9 +17,13 @@ class Unpack {
 
   /// Begins a new submission: what was recorded before has been executed.
   [[nodiscard]] Result<void> reset();
-  /// Records the copy of the first `components` components of all samples of `image` (in SHADER_READ_ONLY layout)
-  /// into `buffer` at `offset`, tight; `components` as unpackedComponents gives them. Error: DeviceLost, NotOffered.
-  [[nodiscard]] Result<void> record(VkCommandBuffer commands, const Image& image, uint32_t components, VkBuffer buffer,
+  struct Rows {
+    uint32_t first = 0, rows = 0;
+    uint32_t components = 1;  ///< the first ones of each sample, as many as unpackedComponents gives
+  };
+  /// Records the copy of all samples in some rows of `image` (in SHADER_READ_ONLY layout) into `buffer` at `offset`, tight;
+  /// they must fit a storage buffer's range. Error: DeviceLost, NotOffered.
+  [[nodiscard]] Result<void> record(VkCommandBuffer commands, const Image& image, const Rows& rows, VkBuffer buffer,
                                     VkDeviceSize offset);
   [[nodiscard]] uint32_t created() const { return created_; }  ///< pipelines, since the device was opened
   [[nodiscard]] double seconds() const { return seconds_; }    ///< that they took

@@ -1,4 +1,6 @@
 // A scene pays for what it needs: attachments, bytes, passes and pipelines, counted where they are made.
+#include <cmath>
+
 #include "tests/vkref/driver_fixture.hpp"
 
 namespace rasterdiff::vkref::testing {
@@ -93,6 +95,32 @@ TEST_P(DriverCost, EachBuiltInAddsAPassWithItsOwnBytes) {
   EXPECT_EQ(device().lastCost().passes, 3U);
   EXPECT_EQ(device().lastCost().colorAttachments, 4U);
   EXPECT_EQ(device().lastCost().attachmentBytes, 32U * 16 * 4 * (8 + 4 + 16));
+}
+
+// Frames that go through the readback buffer in many batches: every sample has to arrive at its own place.
+TEST_P(DriverCost, LargeFramesArriveWholeWhateverTheirRowsAre) {
+  for (const uint32_t samples : {1U, 4U}) {
+    const uint32_t width = samples == 1 ? 1021 : 1531, height = 1103;
+    Scene scene = sceneOf(wholeTarget(static_cast<float>(width), static_cast<float>(height)), width, height, samples);
+    scene.target.depthFormat = DepthFormat::D32_SFLOAT;
+    scene.state.depthTestEnable = scene.state.depthWriteEnable = true;
+    scene.builtIns = {BuiltIn::FragCoord};
+    const Frame frame = draw(scene);
+    size_t wrong = 0;
+    for (uint32_t y = 0; y < height; ++y) {
+      for (uint32_t x = 0; x < width; ++x) {
+        for (uint32_t s = 0; s < samples; ++s) {
+          const VaryingPlane& place = frame.varyings[0];
+          const bool right = frame.primitive.at(x, y, s) == 1 && frame.count.at(x, y, s) == 1 &&
+                             std::floor(place.values.at(x, y, s, 0)) == static_cast<float>(x) &&
+                             std::floor(place.values.at(x, y, s, 1)) == static_cast<float>(y) &&
+                             frame.depth->at(x, y, s) == place.values.at(x, y, s, 2);
+          wrong += right ? 0 : 1;
+        }
+      }
+    }
+    EXPECT_EQ(wrong, 0U) << samples;
+  }
 }
 
 TEST_P(DriverCost, ManyScenesOfManySizesLeaveNoTraceInTheNext) {
