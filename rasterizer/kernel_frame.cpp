@@ -14,7 +14,7 @@
 namespace rasterdiff::rasterizer {
 namespace {
 
-constexpr size_t kBandBytes = size_t{3} << 20;      // of a band's planes: they should stay in the cache
+constexpr size_t kBandBytes = size_t{3} << 19;      // of a band's planes: they should stay in the cache
 constexpr uint32_t kLeastRows = 16, kMostRows = 256;  // of a band
 
 bool ownsTopLeft(const Choices& choices) {
