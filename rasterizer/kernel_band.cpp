@@ -117,7 +117,7 @@ uint32_t BandDrawer::planeOf(uint32_t number) {
   if (plane != 0) return plane;
   plane = ++seenPieces_;
   if (inputs_) {
-    inputs_->add(primitives_[number - 1], origins_[number - 1].place);
+    inputs_->add(primitives_[number - 1], origins_[number - 1]);
   } else {
     planes_.push_back(depthPlane(number));
   }

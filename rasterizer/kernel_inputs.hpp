@@ -22,7 +22,7 @@ class KernelInputs {
   /// Forgets all pieces.
   void clear();
   /// Appends the planes of one piece of a primitive: depth first, where there is one.
-  void add(uint32_t primitive, uint8_t place);
+  void add(uint32_t primitive, const PieceOrigin& origin);
   [[nodiscard]] std::span<const LinearFunction> planes() const { return planes_; }
   [[nodiscard]] size_t planesEach() const { return planesEach_; }
 
@@ -31,15 +31,18 @@ class KernelInputs {
   void settle(std::span<const SettledRun> runs, uint32_t y, uint32_t sample, const uint32_t* numbers, const uint32_t* firstNumbers);
 
  private:
+  void addWhole(uint32_t primitive, const KernelGeometry::Assembled& made);
   /// Of the runs, the parts that the first sample has not; the others are copied.
   void copyFromFirst(std::span<const SettledRun> runs, uint32_t y, uint32_t sample, const uint32_t* numbers, const uint32_t* firstNumbers);
 
+  const Scene& scene_;
   const KernelGeometry& geometry_;
   Frame& frame_;
   PieceValues values_;
   RuleCounts ignored_;  // geometry counted already
   std::vector<std::unique_ptr<PrimitiveMaker>> makers_;  // a draw each
   uint8_t place_ = 0;  // of the piece being made
+  Primitive whole_;    // the triangle being added, as far as its planes need it
   std::vector<ValueKind> kinds_;
   const bool anywhere_;
   size_t planesEach_ = 0, reciprocalW_ = 0;

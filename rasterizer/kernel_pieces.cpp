@@ -15,18 +15,14 @@ namespace {
 
 constexpr uint32_t kVerticesAtOnce = 1024;  // of one thread, a multiple of every vector's length
 
-// Twice the area, > 0 for a triangle that is clockwise to the eye.
-// Q23.8 × Q23.8 → Q47.16: inside of the view volume coordinates are within ±2^28 (kGuardBand), differences ±2^29, products ±2^58.
-int64_t doubleAreaOf(const SubpixelPosition& a, const SubpixelPosition& b, const SubpixelPosition& c) {
-  return (int64_t{b.x} - a.x) * (int64_t{c.y} - a.y) - (int64_t{b.y} - a.y) * (int64_t{c.x} - a.x);
-}
-
 bool readsIndicesAsTheyAre(const State& state) {
   return state.topology == PrimitiveTopology::TRIANGLE_LIST && !state.primitiveRestartEnable;
 }
 
+bool hasInputs(const Scene& scene) { return !scene.draws.empty() && !scene.draws[0].varyings.empty(); }
+
 bool hasFlat(const Scene& scene) {
-  return !scene.draws.empty() && std::ranges::any_of(scene.draws[0].varyings, [](const Varying& v) { return v.interpolation == Interpolation::flat; });
+  return hasInputs(scene) && std::ranges::any_of(scene.draws[0].varyings, [](const Varying& v) { return v.interpolation == Interpolation::flat; });
 }
 
 }  // namespace
@@ -36,7 +32,7 @@ class KernelGeometry::Maker {
  public:
   Maker(const KernelGeometry& all, KernelPieces& part, RuleCounts& counts)
       : all_(all), part_(part), counts_(counts), places_(all.rules_), pieceMaker_(all.scene_.state, all.rules_, counts),
-        deep_(all.scene_.target.depthFormat.has_value()), inputs_(!all.scene_.draws.empty() && !all.scene_.draws[0].varyings.empty()),
+        deep_(all.scene_.target.depthFormat.has_value()), inputs_(hasInputs(all.scene_)),
         flat_(hasFlat(all.scene_)), mayWiden_(all.rules_.openValues()) {
     part_.bands.resize(all.rows_.bandsOf(all.scene_.target.height));
   }
@@ -74,7 +70,7 @@ class KernelGeometry::Maker {
         part_.made.push_back(depthVertex(vertex, places_));
       }
       if (inputs_) countInputs(primitive.clip);
-      put(positions, corners, primitive.number, {static_cast<uint8_t>(place), primitive.cut, primitive.polygon.size() > 3});
+      put(positions, corners, primitive.number, {true, static_cast<uint8_t>(place), primitive.cut, primitive.polygon.size() > 3});
     }
   }
 
@@ -90,7 +86,7 @@ class KernelGeometry::Maker {
       return outside;
     }
     SnappedTriangle positions{{vertices.snapped[v[0]], vertices.snapped[v[1]], vertices.snapped[v[2]]}};
-    const int64_t area = doubleAreaOf(positions.v[0], positions.v[1], positions.v[2]);
+    const int64_t area = doubleArea(positions.v[0], positions.v[1], positions.v[2]);
     const CullMode cullMode = all_.scene_.state.cullMode;
     if (cullMode != CullMode::NONE) {
       const bool culled = pieceMaker_.isCulled(static_cast<double>(area));  // only its sign counts
@@ -145,7 +141,7 @@ size_t vertexCountOf(const Scene& scene) {
 }  // namespace
 
 KernelGeometry::KernelGeometry(const Scene& scene, const Rules& rules, BandRows rows, std::span<RuleCounts> counts)
-    : scene_(scene), rules_(rules), rows_(rows), vertices_(stagesInVectors(rules) ? vertexCountOf(scene) : 0, scene.target.depthFormat.has_value()),
+    : scene_(scene), rules_(rules), rows_(rows), vertices_(stagesInVectors(rules) ? vertexCountOf(scene) : 0, scene.target.depthFormat || hasInputs(scene)),
       parts_(counts.size()) {
   stage(counts);
   const bool inVectors = std::ranges::all_of(draws_, &DrawPlace::inVectors);

@@ -18,8 +18,9 @@ struct BandRows {
   [[nodiscard]] uint32_t bandsOf(uint32_t height) const { return (height + rows() - 1) >> shift; }
 };
 
-/// Which piece of its primitive a piece is.
+/// What a piece is of its primitive.
 struct PieceOrigin {
+  bool made = false;   ///< by geometry.hpp: it is number `place` of the primitive's pieces; otherwise the whole triangle
   uint8_t place = 0;
   bool cut = false, many = false;  ///< of a primitive that was cut; to more than three corners
 };
@@ -48,6 +49,9 @@ class KernelGeometry {
     return number >= kMade ? part.made[number - kMade] : vertices_.depths[number];
   }
   [[nodiscard]] bool isClipped(size_t draw) const { return draws_[draw].clipped; }
+  /// Of all draws together; those of a draw begin at firstVertex.
+  [[nodiscard]] const StagedVertices& vertices() const { return vertices_; }
+  [[nodiscard]] uint32_t firstVertex(size_t draw) const { return draws_[draw].firstVertex; }
   struct Assembled {
     size_t draw = 0;
     AssembledTriangle triangle;

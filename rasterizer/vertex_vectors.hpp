@@ -27,7 +27,7 @@ inline constexpr uint32_t kNoPlace = uint32_t{1} << 31;
 struct StagedVertices {
   std::vector<SubpixelPosition> snapped;
   std::vector<uint32_t> codes;      ///< outcode(), or with kNoPlace: w is not positive or something is not finite
-  std::vector<DepthVertex> depths;  ///< empty for scenes without depth
+  std::vector<DepthVertex> depths;  ///< empty for scenes without depth and inputs
 
   /// Room for `size` vertices.
   StagedVertices(size_t size, bool deep);
