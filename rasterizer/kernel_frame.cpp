@@ -94,7 +94,6 @@ void count(RuleCounts& counts, const BandTally& tally, bool deep) {
 std::optional<KernelFrame> KernelFrame::of(const Scene& scene, const Rules& rules, std::span<const SubpixelPosition> pattern) {
   const bool ruled = !rules.open && rules.error == DeliberateError::None && !rules.variation && ownsTopLeft(rules.choices);
   if (!ruled || !fillsTriangles(scene.state) || !needsNothingElse(scene, needsOf(scene), rules) || !onlyTargetCuts(scene, rules)) return std::nullopt;
-  if (rules.choices.cutFill != CutFill::Fan && mayClip(scene)) return std::nullopt;  // a cut polygon may be folded
   if (cutsByDistance(scene) || !atStandardLocations(scene.target.samples, pattern)) return std::nullopt;
   return KernelFrame(scene, rules, pattern);
 }

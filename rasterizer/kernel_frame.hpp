@@ -12,12 +12,12 @@ namespace rasterdiff::rasterizer {
 class KernelFrame {
  public:
   /// None where the frame has other planes, a rule is open, mistaken or not the kernels' (ties: top-left; samples: the standard
-  /// ones; depth: float32, tested by LESS and written), something else than the target's border cuts, or cut polygons are not
-  /// drawn as fans. `pattern`: sample offsets in 1/256 pixel.
+  /// ones; depth: float32, tested by LESS and written), or something else than the target's border cuts. `pattern`: sample offsets in 1/256 pixel.
   [[nodiscard]] static std::optional<KernelFrame> of(const Scene& scene, const Rules& rules, std::span<const SubpixelPosition> pattern);
 
   /// All planes, on `threads` threads (at least 1): the same for any number. Adds to `counts`, if given, what drawing row by row
-  /// counts. None where pieces of one cut polygon overlap, so that a sample may have the values of either.
+  /// counts. None where snapping folded a cut polygon that is not drawn as a fan, or whose overlapping pieces leave open which values a
+  /// sample has.
   [[nodiscard]] std::optional<Frame> draw(unsigned threads, RuleCounts* counts) const;
 
  private:

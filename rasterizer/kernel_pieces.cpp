@@ -56,7 +56,7 @@ class KernelGeometry::Maker {
 
   /// Pieces of a primitive that geometry.hpp made.
   void addMade(const Primitive& primitive) {
-    if (mayWiden_) part_.folded = part_.folded || isFolded(primitive.polygon, CutFill::Polygon);
+    part_.folded = part_.folded || primitive.folded || (mayWiden_ && isFolded(primitive.polygon, CutFill::Polygon));
     for (size_t place = 0; place < primitive.pieces.size(); ++place) {
       const SetupTriangle& piece = primitive.pieces[place];
       if (piece.culled) continue;

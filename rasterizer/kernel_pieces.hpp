@@ -33,7 +33,7 @@ struct KernelPieces {
   std::vector<PieceOrigin> origins;               ///< scenes with inputs only
   std::vector<DepthVertex> made;                  ///< of primitives that geometry.hpp made
   std::vector<std::vector<uint32_t>> bands;       ///< which pieces reach into each band
-  bool folded = false;                            ///< pieces of one cut polygon overlap where values are open
+  bool folded = false;                            ///< some cut polygon is: more has to be known of it than its pieces
 };
 
 class KernelGeometry {
