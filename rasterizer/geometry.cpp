@@ -31,6 +31,11 @@ struct DrawVertices {
         shared(given.indices || scene.state.topology != PrimitiveTopology::TRIANGLE_LIST),
         assembled(assemble(given, scene.state, rules.error)), outcodes(given.positions.size()) {}
 
+  /// Of which nothing is made before it is asked for.
+  DrawVertices(const Scene& scene, const Rules& rules, const Draw& given, bool clipped)
+      : draw(given), viewportIndex(given.viewportIndex), stage(vertexStage(scene, rules, viewportIndex)), volume(volumeOf(scene, given, rules)),
+        shared(false), someClipped(clipped) {}
+
   /// Projects vertices [first, end), each at most once.
   void project(uint32_t first, uint32_t end, std::vector<RasterVertex>& to, RuleCounts& counts) {
     if (shared) to.reserve(end - first);
@@ -46,9 +51,11 @@ struct DrawVertices {
     return {draw.positions[vertex], std::span(draw.clipDistances).subspan(vertex * size_t{draw.clipDistanceCount}, count)};
   }
 
+  [[nodiscard]] unsigned code(uint32_t vertex) const { return outcodes.empty() ? outcode(input(vertex), volume) : outcodes[vertex]; }
+
   [[nodiscard]] RasterVertex projected(uint32_t vertex) const {
     const ClipPosition& position = draw.positions[vertex];
-    return outcodes[vertex] == 0 && position.w > 0 ? stage.original(position) : RasterVertex{};
+    return code(vertex) == 0 && position.w > 0 ? stage.original(position) : RasterVertex{};
   }
 
   [[nodiscard]] RasterVertex at(uint32_t vertex) const {
@@ -89,7 +96,7 @@ class DrawGeometry {
  public:
   DrawGeometry(const Scene& scene, const Rules& rules, const DrawVertices& vertices, RuleCounts& counts, const PrimitiveVisitor& visit)
       : scene_(scene), rules_(rules), draw_(vertices.draw), all_(vertices), counts_(counts), visit_(visit),
-        stage_(vertices.stage), volume_(vertices.volume), outcodes_(vertices.outcodes), someClipped_(vertices.someClipped),
+        stage_(vertices.stage), volume_(vertices.volume), someClipped_(vertices.someClipped),
         pieceMaker_(scene.state, rules, counts),
         figureMaker_(scene, rules, draw_, stage_, volume_, drawingRegion(scene, vertices.viewportIndex, rules), counts) {
     const Viewport& viewport = viewportOf(scene, vertices.viewportIndex);
@@ -105,27 +112,30 @@ class DrawGeometry {
     const std::vector<AssembledTriangle>& all = all_.assembled;
     for (size_t i = first; i < end; ++i) {
       const size_t at = rules_.error == DeliberateError::DrawBackward ? all.size() - 1 - i : i;
-      const AssembledTriangle& assembled = all[at];
-      primitive_.number = number + static_cast<uint32_t>(at) + 1;
-      primitive_.assembled = assembled;
-      primitive_.polygon.clear();
-      primitive_.pieces.clear();
-      primitive_.figures.clear();
-      primitive_.cut = primitive_.cutByDistance = primitive_.unprojectable = primitive_.folded = primitive_.reversed = false;
-      primitive_.frontFacing = true;
-      for (size_t k = 0; k < 3; ++k) primitive_.clip[k] = draw_.positions[assembled.vertices[k]];
-      if (culledByDistance()) {
-        ++counts_[Rule::UserDistance];
-        continue;
-      }
-      switch (assembled.count) {
-        case 1: figureMaker_.makePoint(primitive_, input(assembled.vertices[0])); break;
-        case 2: figureMaker_.makeLine(primitive_, input(assembled.vertices[0]), input(assembled.vertices[1])); break;
-        default: makeTriangle();
-      }
-      const bool mayDraw = !primitive_.pieces.empty() || !primitive_.figures.empty() || primitive_.unprojectable;
-      if (mayDraw || (rules_.open && primitive_.polygon.size() >= 3)) visit_(primitive_);
+      make(number + static_cast<uint32_t>(at) + 1, all[at]);
     }
+  }
+
+  void make(uint32_t number, const AssembledTriangle& assembled) {
+    primitive_.number = number;
+    primitive_.assembled = assembled;
+    primitive_.polygon.clear();
+    primitive_.pieces.clear();
+    primitive_.figures.clear();
+    primitive_.cut = primitive_.cutByDistance = primitive_.unprojectable = primitive_.folded = primitive_.reversed = false;
+    primitive_.frontFacing = true;
+    for (size_t k = 0; k < 3; ++k) primitive_.clip[k] = draw_.positions[assembled.vertices[k]];
+    if (culledByDistance()) {
+      ++counts_[Rule::UserDistance];
+      return;
+    }
+    switch (assembled.count) {
+      case 1: figureMaker_.makePoint(primitive_, input(assembled.vertices[0])); break;
+      case 2: figureMaker_.makeLine(primitive_, input(assembled.vertices[0]), input(assembled.vertices[1])); break;
+      default: makeTriangle();
+    }
+    const bool mayDraw = !primitive_.pieces.empty() || !primitive_.figures.empty() || primitive_.unprojectable;
+    if (mayDraw || (rules_.open && primitive_.polygon.size() >= 3)) visit_(primitive_);
   }
 
  private:
@@ -149,7 +159,7 @@ class DrawGeometry {
 
   void makeTriangle() {
     const AssembledTriangle& assembled = primitive_.assembled;
-    const auto code = [&](size_t i) { return outcodes_[assembled.vertices[i]]; };
+    const auto code = [&](size_t i) { return all_.code(assembled.vertices[i]); };
     const unsigned any = code(0) | code(1) | code(2);
     primitive_.cut = any != 0;
     countUnclippedDepth();
@@ -294,7 +304,6 @@ class DrawGeometry {
   const PrimitiveVisitor& visit_;
   const VertexStage& stage_;
   const ClipVolume& volume_;
-  const std::vector<unsigned>& outcodes_;
   const bool someClipped_;
   const PieceMaker pieceMaker_;
   FigureMaker figureMaker_;
@@ -303,6 +312,21 @@ class DrawGeometry {
 };
 
 }  // namespace
+
+struct PrimitiveMaker::Impl {
+  Impl(const Scene& scene, const Rules& rules, const Draw& draw, bool someClipped, RuleCounts& counts, PrimitiveVisitor visitor)
+      : visit(std::move(visitor)), vertices(scene, rules, draw, someClipped), geometry(scene, rules, vertices, counts, visit) {}
+  const PrimitiveVisitor visit;
+  const DrawVertices vertices;
+  DrawGeometry geometry;
+};
+
+PrimitiveMaker::PrimitiveMaker(const Scene& scene, const Rules& rules, const Draw& draw, bool someClipped, RuleCounts& counts, PrimitiveVisitor visit)
+    : impl_(std::make_unique<Impl>(scene, rules, draw, someClipped, counts, std::move(visit))) {}
+
+PrimitiveMaker::~PrimitiveMaker() = default;
+
+void PrimitiveMaker::make(uint32_t number, const AssembledTriangle& assembled) { impl_->geometry.make(number, assembled); }
 
 void forEachPrimitive(const Scene& scene, const Rules& rules, RuleCounts& counts, const PrimitiveVisitor& visit) {
   forEachPrimitive(scene, rules, {&counts, 1}, {&visit, 1});

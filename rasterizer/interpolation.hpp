@@ -13,6 +13,7 @@
 #include "rasterizer/depth/depth_stage.hpp"
 #include "rasterizer/fragment/built_in_values.hpp"
 #include "rasterizer/fragment/fragment_inputs.hpp"
+#include "rasterizer/kernels/value_target.hpp"
 #include "scene/needs.hpp"
 
 namespace rasterdiff::rasterizer {
@@ -39,6 +40,9 @@ class PieceValues {
   /// Depth is rounded and no more, and inputs are evaluated at the centre of the pixel without counting anything: then
   /// they may be evaluated when all is drawn, from planes that were kept.
   [[nodiscard]] bool mayWait() const { return mayWait_; }
+  /// Where they may wait: how each component is interpolated, and whether it may legally be evaluated anywhere in the pixel.
+  [[nodiscard]] std::vector<ValueKind> lateKinds() const;
+  [[nodiscard]] bool lateAnywhere() const { return location_.areaIsFree(); }
   [[nodiscard]] const LinearFunction& depthPlane() const { return planes_.depth; }
   /// Appends the planes and flat inputs of the current triangle; restore() makes those of the nth that was saved current,
   /// for depth() and fragment().

@@ -5,6 +5,18 @@
 
 namespace rasterdiff::rasterizer {
 
+std::vector<ValueKind> PieceValues::lateKinds() const {
+  std::vector<ValueKind> kinds;
+  for (size_t c = 0; c < inputs_.size(); ++c) {
+    switch (inputs_[c].kind) {
+      case Kind::Flat: kinds.push_back(ValueKind::Flat); break;
+      case Kind::Linear: kinds.push_back(ValueKind::Noperspective); break;
+      case Kind::Perspective: kinds.push_back(ValueKind::Perspective); break;
+    }
+  }
+  return kinds;
+}
+
 void PieceValues::save(std::vector<LinearFunction>& planes, std::vector<float>& constants) const {
   if (needsDepth_) planes.push_back(planes_.depth);
   if (needsW_) planes.push_back(planes_.reciprocalW);

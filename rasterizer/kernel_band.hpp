@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "rasterizer/fragment/linear_function.hpp"
-#include "rasterizer/geometry.hpp"
+#include "rasterizer/kernel_inputs.hpp"
+#include "rasterizer/kernel_pieces.hpp"
 #include "rasterizer/kernels/row_tally.hpp"
 #include "rasterizer/kernels/settle_row.hpp"
 #include "rasterizer/kernels/value_kernel.hpp"
@@ -19,57 +20,66 @@ struct CornerErrors {
   double inputError = 0;  ///< of the depths
 };
 
-/// Pieces that reach into a band, in drawing order: oriented, so that their double area is positive. The last two are empty
-/// for frames without depth.
-struct BandPieces {
-  std::vector<SnappedTriangle> positions;
-  std::vector<uint32_t> primitives;
-  std::vector<DepthCorners> corners;
-  std::vector<CornerErrors> errors;
-};
-
 /// What came of a band, for rule counts.
 struct BandTally {
   RowTally rows;
   uint64_t met = 0;      ///< fragments that met exactly the depth that was there
   uint64_t drawn = 0;    ///< fragments that passed
   uint64_t covered = 0;  ///< samples with a primitive
+  uint64_t ofCut = 0, ofMany = 0;  ///< samples inside of pieces of cut primitives; of those with more than three corners; with inputs
   BandTally& operator+=(const BandTally& other);
 };
 
-/// Draws bands of one frame, one after the other, each from the lists of several makers of pieces.
+/// Draws bands of one frame, one after the other.
 class BandDrawer {
  public:
-  /// `frame`, whose planes need not be written yet, and `pattern` must outlive this object; `clear`: of depth. `rows`: most rows
-  /// of a band, a multiple of 8.
-  BandDrawer(Frame& frame, std::span<const SubpixelPosition> pattern, const Interpolated& clear, uint32_t rows);
+  /// All that is given must outlive this object; the planes of `frame` need not be written yet. `clear`: of depth. `inputs`: null
+  /// where there are none.
+  BandDrawer(const KernelGeometry& geometry, Frame& frame, std::span<const SubpixelPosition> pattern, const Interpolated& clear, BandRows rows,
+             std::unique_ptr<KernelInputs> inputs);
 
-  /// Writes all planes of rows [firstRow, endRow); counts rows only where `counted`.
-  BandTally draw(std::span<const BandPieces* const> lists, uint32_t firstRow, uint32_t endRow, bool counted);
+  /// Writes all planes of the band's rows; counts rows only where `counted`.
+  BandTally draw(uint32_t band, bool counted);
 
  private:
-  struct Piece {
-    uint32_t primitive;
-    const LinearFunction* depth;  ///< null without depth
-  };
-
-  void settleRow(std::span<const BandPieces* const> lists, uint32_t firstRow, uint32_t y, BandTally& tally);
-  /// What settleRow made, samples beside one another. kSamples: 0 if it is not known when compiling.
+  /// Fetches the band's pieces: those of all parts in a row, so that number n is element n - 1.
+  void gather(uint32_t band);
+  /// Runs of rows [0, rows) of the target, and planes of the pieces that are seen.
+  void findRuns(uint32_t rows);
+  [[nodiscard]] LinearFunction depthPlane(uint32_t number) const;
+  /// 1 + the place of the planes of piece `number`; made if it is the first time.
+  [[nodiscard]] uint32_t planeOf(uint32_t number);
+  void countCut(const TallyArea& area, BandTally& tally);
+  void settleRow(uint32_t bandRow, uint32_t y, bool last);
+  /// What settleRow made of several samples a pixel, samples beside one another. kSamples: 0 if it is not known when compiling.
   template <size_t kSamples>
-  void writeRow(uint32_t bandRow, uint32_t y, BandTally& tally);
-  /// Of number `piece` of all lists together, from 1 on; 0 is none.
-  [[nodiscard]] Piece pieceOf(std::span<const BandPieces* const> lists, uint32_t piece);
+  void interleave(uint32_t y);
+  /// Counts and depths.
+  void copyRow(uint32_t bandRow, uint32_t y, BandTally& tally);
 
+  const KernelGeometry& geometry_;
   Frame& frame_;
   const std::span<const SubpixelPosition> pattern_;
   const Interpolated clear_;
+  const BandRows rows_;
   ValueTarget target_;
-  std::vector<uint32_t> planeOf_;  ///< of each piece: 1 + its place in planes_, 0: not seen yet
-  std::vector<LinearFunction> planes_;
+  const std::unique_ptr<KernelInputs> inputs_;
+  // The band's pieces.
+  std::vector<SnappedTriangle> positions_;
+  std::vector<DepthCorners> corners_;
+  std::vector<uint32_t> primitives_;
+  std::vector<CornerErrors> errors_;
+  std::vector<PieceOrigin> origins_;
+  std::vector<uint32_t> seen_;  ///< of each piece: 1 + the place of its planes, 0: nowhere seen
+  uint32_t seenPieces_ = 0;
+  std::vector<LinearFunction> planes_;  ///< of depth, where there are no inputs
+  // Runs of equal numbers, row by row, samples below one another.
   std::vector<uint32_t> starts_;
   std::vector<SettledRun> runs_;
-  std::vector<uint32_t> primitives_;  ///< of a row: samples below one another, kRowSlack between them
-  std::vector<float> lo_, hi_;
+  std::vector<size_t> rowRuns_;  ///< first run of each row of the target; one more at the end
+  // A row, pixels beside one another, samples below one another with kRowSlack between them.
+  std::vector<uint32_t> rowPrimitives_;
+  std::vector<Bounds> rowBounds_;
 };
 
 }  // namespace rasterdiff::rasterizer

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 
 #include "rasterizer/choice_table.hpp"
-#include "rasterizer/cut_polygon.hpp"
 #include "rasterizer/depth/format.hpp"
 #include "rasterizer/drawing_region.hpp"
-#include "rasterizer/fragment/plane_corners.hpp"
-#include "rasterizer/geometry_parts.hpp"
 #include "rasterizer/interpolation.hpp"
 #include "rasterizer/parallel.hpp"
 #include "scene/primitive_class.hpp"
@@ -16,27 +14,21 @@
 namespace rasterdiff::rasterizer {
 namespace {
 
-constexpr uint64_t kFewTriangles = 1000;            // drawn one by one sooner than they are sorted into bands
-constexpr size_t kBandBytes = size_t{3} << 20;      // of a band's planes: they should stay in the cache
+constexpr size_t kBandBytes = size_t{3} << 19;      // of a band's planes: they should stay in the cache
 constexpr uint32_t kLeastRows = 16, kMostRows = 256;  // of a band
 
 bool ownsTopLeft(const Choices& choices) {
   return choices.tieOwner == TieOwner::TopLeft && choices.slantedTies == SlantedTies::LikeVertical && choices.tieWinding == TieWinding::Same;
 }
 
-// Primitive, count and at most a depth that is tested by LESS and written.
+// Primitive, count, inputs that may wait, and at most a depth that is tested by LESS and written.
 bool needsNothingElse(const Scene& scene, const SceneNeeds& needs, const Rules& rules) {
   const uint32_t all = (1U << scene.target.samples) - 1;
   const State& state = scene.state;
-  if (needs.varyings > 0 || needs.builtIns > 0 || needs.resolve || scene.target.depthResolveMode || (state.sampleMask & all) != all) return false;
+  if (needs.builtIns > 0 || state.alphaToCoverageEnable || needs.resolve || scene.target.depthResolveMode || (state.sampleMask & all) != all) return false;
   if (state.shaderSampleMask != ShaderSampleMask::NONE) return false;
-  if (!needs.depth) return true;
-  return state.depthTestEnable && state.depthWriteEnable && state.depthCompareOp == CompareOp::LESS &&
-         PieceValues(scene, needs, rules).mayWait();
-}
-
-bool drawsManyTriangles(const Scene& scene) {
-  return fillsTriangles(scene.state) && primitiveCount(scene) > kFewTriangles;
+  if (needs.depth && !(state.depthTestEnable && state.depthWriteEnable && state.depthCompareOp == CompareOp::LESS)) return false;
+  return (!needs.depth && needs.varyings == 0) || PieceValues(scene, needs, rules).mayWait();
 }
 
 bool onlyTargetCuts(const Scene& scene, const Rules& rules) {
@@ -58,74 +50,30 @@ bool atStandardLocations(uint32_t samples, std::span<const SubpixelPosition> pat
   });
 }
 
-uint32_t bandRows(const Scene& scene) {
+BandRows bandRows(const Scene& scene) {
   const size_t rowBytes = size_t{scene.target.width} * scene.target.samples * (scene.target.depthFormat ? 12 : 8);
-  return static_cast<uint32_t>(std::clamp<size_t>(kBandBytes / rowBytes, kLeastRows, kMostRows)) / 8 * 8;
+  const size_t rows = std::clamp<size_t>(kBandBytes / rowBytes, kLeastRows, kMostRows);
+  return {static_cast<uint32_t>(std::bit_width(rows)) - 1};
 }
 
-Frame emptyFrame(const Scene& scene) {
+// Every sample of which the bands write, but for inputs: they are written where something is drawn.
+Frame unwrittenFrame(const Scene& scene) {
   const auto [width, height, samples] = std::array{scene.target.width, scene.target.height, scene.target.samples};
   Frame frame;
   frame.width = width, frame.height = height, frame.samples = samples;
-  frame.primitive = Plane<uint32_t>(width, height, samples);
-  frame.count = Plane<uint32_t>(width, height, samples);
+  frame.primitive = Plane<uint32_t>::unwritten(width, height, samples);
+  frame.count = Plane<uint32_t>::unwritten(width, height, samples);
+  if (!scene.draws.empty()) {
+    for (const Varying& varying : scene.draws[0].varyings) {
+      VaryingPlane& plane = frame.varyings.emplace_back(VaryingPlane{varying.name, {width, height, samples, varying.components}, {}});
+      plane.bounds.emplace(width, height, samples, varying.components);
+    }
+  }
   if (!scene.target.depthFormat) return frame;
-  frame.depth.emplace(width, height, samples);
-  frame.depthBounds.emplace(width, height, samples);
+  frame.depth = Plane<float>::unwritten(width, height, samples);
+  frame.depthBounds = Plane<Bounds>::unwritten(width, height, samples);
   return frame;
 }
-
-// Sorts the pieces of primitives into bands.
-class PieceSorter {
- public:
-  PieceSorter(const Scene& scene, const Rules& rules, uint32_t rows)
-      : places_(rules), deep_(scene.target.depthFormat.has_value()), mayWiden_(rules.openValues()), rows_(static_cast<int32_t>(rows)),
-        bands_((scene.target.height + rows - 1) / rows) {}
-
-  void add(const Primitive& primitive) {
-    if (mayWiden_) overlap_ = overlap_ || isFolded(primitive.polygon, CutFill::Polygon);
-    for (const SetupTriangle& piece : primitive.pieces) {
-      if (!piece.culled) addPiece(primitive, piece);
-    }
-  }
-
-  [[nodiscard]] bool overlap() const { return overlap_; }
-  [[nodiscard]] const std::vector<BandPieces>& bands() const { return bands_; }
-
- private:
-  void addPiece(const Primitive& primitive, const SetupTriangle& piece) {
-    const std::array<const RasterVertex*, 3> v{&primitive.polygon[piece.corner[0]], &primitive.polygon[piece.corner[1]],
-                                               &primitive.polygon[piece.corner[2]]};
-    const auto [low, high] = std::minmax({v[0]->snapped.y, v[1]->snapped.y, v[2]->snapped.y});
-    const int32_t first = std::max(low >> kSubpixelBits, 0) / rows_;
-    const int32_t last = std::min((high >> kSubpixelBits) / rows_, static_cast<int32_t>(bands_.size()) - 1);
-    if (high < 0 || first > last) return;
-    DepthCorners corners;
-    CornerErrors errors;
-    if (deep_) {
-      const PlaneCorners plane = planeCorners(places_, v);
-      errors.deviation = plane.deviation;
-      for (size_t i = 0; i < 3; ++i) {
-        corners.x[i] = plane.corners[i].x, corners.y[i] = plane.corners[i].y, corners.z[i] = plane.corners[i].z;
-        errors.inputError = std::max(errors.inputError, v[i]->depthError);
-      }
-    }
-    for (int32_t band = first; band <= last; ++band) {
-      BandPieces& pieces = bands_[static_cast<size_t>(band)];
-      pieces.positions.push_back({{v[0]->snapped, v[1]->snapped, v[2]->snapped}});
-      pieces.primitives.push_back(primitive.number);
-      if (!deep_) continue;
-      pieces.corners.push_back(corners);
-      pieces.errors.push_back(errors);
-    }
-  }
-
-  const PlanePlaces places_;
-  const bool deep_, mayWiden_;
-  const int32_t rows_;
-  bool overlap_ = false;
-  std::vector<BandPieces> bands_;
-};
 
 void count(RuleCounts& counts, const BandTally& tally, bool deep) {
   counts[Rule::SampleCoverage] += tally.rows.inside;
@@ -133,6 +81,8 @@ void count(RuleCounts& counts, const BandTally& tally, bool deep) {
   counts[Rule::HelperInvocation] += tally.rows.cutQuads;
   counts[Rule::SamplePattern] += tally.rows.partlyCovered;
   counts[Rule::Order] += tally.drawn - tally.covered;
+  counts[Rule::ClipAttribute] += tally.ofCut;
+  counts[Rule::CutPolygon] += tally.ofMany;
   if (!deep) return;
   counts[Rule::LinearDepth] += tally.rows.inside;
   counts[Rule::DepthTest] += tally.rows.inside - tally.drawn;
@@ -143,7 +93,7 @@ void count(RuleCounts& counts, const BandTally& tally, bool deep) {
 
 std::optional<KernelFrame> KernelFrame::of(const Scene& scene, const Rules& rules, std::span<const SubpixelPosition> pattern) {
   const bool ruled = !rules.open && rules.error == DeliberateError::None && !rules.variation && ownsTopLeft(rules.choices);
-  if (!ruled || !drawsManyTriangles(scene) || !needsNothingElse(scene, needsOf(scene), rules) || !onlyTargetCuts(scene, rules)) return std::nullopt;
+  if (!ruled || !fillsTriangles(scene.state) || !needsNothingElse(scene, needsOf(scene), rules) || !onlyTargetCuts(scene, rules)) return std::nullopt;
   if (rules.choices.cutFill != CutFill::Fan && mayClip(scene)) return std::nullopt;  // a cut polygon may be folded
   if (cutsByDistance(scene) || !atStandardLocations(scene.target.samples, pattern)) return std::nullopt;
   return KernelFrame(scene, rules, pattern);
@@ -151,26 +101,22 @@ std::optional<KernelFrame> KernelFrame::of(const Scene& scene, const Rules& rule
 
 std::optional<Frame> KernelFrame::draw(unsigned threads, RuleCounts* counts) const {
   const bool counted = counts != nullptr;
-  const uint32_t rows = bandRows(scene_);
-  std::vector<PieceSorter> sorters(threads, PieceSorter(scene_, rules_, rows));
+  const BandRows rows = bandRows(scene_);
+  const SceneNeeds needs = needsOf(scene_);
   std::vector<RuleCounts> decided(threads);
-  std::vector<PrimitiveVisitor> visitors;
-  for (PieceSorter& sorter : sorters) visitors.emplace_back([&sorter](const Primitive& primitive) { sorter.add(primitive); });
-  forEachPrimitive(scene_, rules_, decided, visitors);
-  if (std::ranges::any_of(sorters, [](const PieceSorter& sorter) { return sorter.overlap(); })) return std::nullopt;
+  const KernelGeometry geometry(scene_, rules_, rows, decided);
+  if (geometry.folded()) return std::nullopt;
 
   const Interpolated clear = scene_.target.depthFormat ? clearedDepth(scene_.target.depthClearValue, *scene_.target.depthFormat) : Interpolated{};
-  Frame frame = emptyFrame(scene_);
-  std::atomic<size_t> next = 0;
+  Frame frame = unwrittenFrame(scene_);
+  const uint32_t bands = rows.bandsOf(frame.height);
+  std::atomic<uint32_t> next = 0;
   std::vector<BandTally> tallies(threads);
   inParallel(threads, [&](unsigned thread) {
-    BandDrawer drawer(frame, pattern_, clear, rows);
-    std::vector<const BandPieces*> pieces(threads);
-    for (size_t band = next++; band < sorters[0].bands().size(); band = next++) {
-      std::ranges::transform(sorters, pieces.begin(), [band](const PieceSorter& sorter) { return &sorter.bands()[band]; });
-      const auto firstRow = static_cast<uint32_t>(band) * rows;
-      tallies[thread] += drawer.draw(pieces, firstRow, std::min(firstRow + rows, frame.height), counted);
-    }
+    std::unique_ptr<KernelInputs> inputs;
+    if (!frame.varyings.empty()) inputs = std::make_unique<KernelInputs>(scene_, needs, rules_, geometry, frame);
+    BandDrawer drawer(geometry, frame, pattern_, clear, rows, std::move(inputs));
+    for (uint32_t band = next++; band < bands; band = next++) tallies[thread] += drawer.draw(band, counted);
   });
   if (!counted) return frame;
   BandTally all;

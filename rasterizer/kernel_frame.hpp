@@ -1,5 +1,5 @@
-// Scenes that need nothing but who covers what, and how deep: their triangles go to the fast kernels, band by band when the last
-// one is known, by several threads. What does not pay or is not the kernels' rule stays with FrameWriter.
+// Scenes of filled triangles that need who covers what, how deep, and inputs that may wait: they go to the fast kernels, band by band
+// when the last triangle is known, by several threads. What is not the kernels' rule stays with FrameWriter.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,8 @@ namespace rasterdiff::rasterizer {
 class KernelFrame {
  public:
   /// None where the frame has other planes, a rule is open, mistaken or not the kernels' (ties: top-left; samples: the standard
-  /// ones; depth: float32, tested by LESS and written), something else than the target's border cuts, cut polygons are not drawn
-  /// as fans, or there are too few triangles for it to pay. `pattern`: sample offsets in 1/256 pixel.
+  /// ones; depth: float32, tested by LESS and written), something else than the target's border cuts, or cut polygons are not
+  /// drawn as fans. `pattern`: sample offsets in 1/256 pixel.
   [[nodiscard]] static std::optional<KernelFrame> of(const Scene& scene, const Rules& rules, std::span<const SubpixelPosition> pattern);
 
   /// All planes, on `threads` threads (at least 1): the same for any number. Adds to `counts`, if given, what drawing row by row

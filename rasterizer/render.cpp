@@ -294,15 +294,12 @@ class Renderer {
 
 }  // namespace
 
-Result<Frame> render(const Scene& scene, const Rules& profile, RuleCounts* counts, unsigned threads) {
+Result<Frame> renderRowByRow(const Scene& scene, const Rules& profile, RuleCounts* counts) {
   const Rules rules = rulesFor(scene, profile);
   if (const Result<void> valid = validate(scene); !valid) return tl::unexpected<Error>(valid.error());
   if (scene.target.sampleLocations) return renderGrid(scene, rules, counts);
   Result<std::vector<SubpixelPosition>> pattern = samplePattern(scene.target.samples, rules);
   if (!pattern) return tl::unexpected<Error>(pattern.error());
-  if (const auto kernel = KernelFrame::of(scene, rules, *pattern)) {
-    if (std::optional<Frame> frame = kernel->draw(std::max(1U, threads), counts)) return std::move(*frame);
-  }
   RuleCounts own;
   RuleCounts& counting = counts != nullptr ? *counts : own;
   const std::optional<Scene> mistaken = mistakenScene(scene, rules.error);
@@ -310,6 +307,18 @@ Result<Frame> render(const Scene& scene, const Rules& profile, RuleCounts* count
   Renderer renderer(drawn, rules, std::move(*pattern), counting);
   forEachPrimitive(drawn, rules, counting, [&](const Primitive& primitive) { renderer.draw(primitive); });
   return renderer.take();
+}
+
+Result<Frame> render(const Scene& scene, const Rules& profile, RuleCounts* counts, unsigned threads) {
+  const Rules rules = rulesFor(scene, profile);
+  if (const Result<void> valid = validate(scene); !valid) return tl::unexpected<Error>(valid.error());
+  const auto pattern = samplePattern(scene.target.samples, rules);
+  if (pattern && !scene.target.sampleLocations) {
+    if (const auto kernel = KernelFrame::of(scene, rules, *pattern)) {
+      if (std::optional<Frame> frame = kernel->draw(std::max(1U, threads), counts)) return std::move(*frame);
+    }
+  }
+  return renderRowByRow(scene, profile, counts);
 }
 
 }  // namespace rasterdiff::rasterizer

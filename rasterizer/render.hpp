@@ -21,6 +21,9 @@ namespace rasterdiff::rasterizer {
 /// Error: an invalid scene (BadInput), or a sample count without standard locations (NotOffered).
 [[nodiscard]] Result<Frame> render(const Scene& scene, const Rules& rules, RuleCounts* counts = nullptr, unsigned threads = 1);
 
+/// The same frame and counts, triangle by triangle and row by row: the definition that the kernels behind render() are held to.
+[[nodiscard]] Result<Frame> renderRowByRow(const Scene& scene, const Rules& rules, RuleCounts* counts = nullptr);
+
 struct SampleQuery {
   uint32_t x = 0, y = 0, sample = 0;
 };

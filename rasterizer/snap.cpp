@@ -9,9 +9,6 @@
 namespace rasterdiff::rasterizer {
 namespace {
 
-// Doubles are trusted to decide when they are at least this far (relative to the grid value + 1) from a decision point.
-constexpr double kTrust = 0x1p-40;
-
 // NaN goes to the far end: it is no number that could become an integer.
 double clampToGuardBand(double pixels) { return pixels > -kGuardBand ? std::min(pixels, kGuardBand) : -kGuardBand; }
 
@@ -51,7 +48,7 @@ double approximate(float coordinate, float w, const ViewportAxis& axis, int bits
 }
 
 bool decides(double gridValue, double point) {
-  return std::fabs(gridValue - point) > kTrust * (std::fabs(gridValue) + 1);
+  return std::fabs(gridValue - point) > kSnapTrust * (std::fabs(gridValue) + 1);
 }
 
 double exactFloor(float coordinate, float w, const ViewportAxis& axis, int bits) {
@@ -63,19 +60,6 @@ double exactFloor(float coordinate, float w, const ViewportAxis& axis, int bits)
 
 SnapRounding roundingOf(const Rules& rules) {
   return rules.error == DeliberateError::TruncatingSnap ? SnapRounding::TowardZero : rules.choices.snapRounding;
-}
-
-enum class Shift : uint8_t { None, AfterViewport, InViewport };
-
-// [choice:snap-origin] where half a pixel is taken off.
-Shift shiftOf(const Rules& rules, uint32_t samples) {
-  switch (rules.choices.snapOrigin) {
-    case SnapOrigin::Corner: return Shift::None;
-    case SnapOrigin::CentreAtOneSample: return samples == 1 ? Shift::AfterViewport : Shift::None;
-    case SnapOrigin::Centre: return Shift::AfterViewport;
-    case SnapOrigin::CentreInViewport: return Shift::InViewport;
-  }
-  return Shift::None;
 }
 
 constexpr int32_t kHalfPixel = kSubpixelOne / 2;
@@ -92,6 +76,16 @@ int32_t ceilingExactly(float coordinate, float w, const ViewportAxis& axis, doub
   if (decides(value, near)) return static_cast<int32_t>(std::ceil(value));
   const int side = signAgainst(coordinate, w, axis, kSubpixelBits, 2 * (near - shift));
   return static_cast<int32_t>(side > 0 ? near + 1 : near);
+}
+
+SnapShift snapShift(const Rules& rules, uint32_t samples) {
+  switch (rules.choices.snapOrigin) {
+    case SnapOrigin::Corner: return SnapShift::None;
+    case SnapOrigin::CentreAtOneSample: return samples == 1 ? SnapShift::AfterViewport : SnapShift::None;
+    case SnapOrigin::Centre: return SnapShift::AfterViewport;
+    case SnapOrigin::CentreInViewport: return SnapShift::InViewport;
+  }
+  return SnapShift::None;
 }
 
 int gridBits(const Rules& rules) {
@@ -132,20 +126,20 @@ int32_t snapExactly(float coordinate, float w, const ViewportAxis& axis, int bit
 
 int32_t snapFloat(const Rules& rules, uint32_t samples, float pixels) {
   const int bits = gridBits(rules);
-  const Shift shift = shiftOf(rules, samples);
-  const float shifted = shift == Shift::AfterViewport ? pixels - 0.5F : pixels;
+  const SnapShift shift = snapShift(rules, samples);
+  const float shifted = shift == SnapShift::AfterViewport ? pixels - 0.5F : pixels;
   const float scaled = static_cast<float>(clampToGuardBand(shifted)) * std::ldexp(1.0F, bits);
-  return toSubpixels(roundTo(scaled, roundingOf(rules)), bits) + (shift == Shift::None ? 0 : kHalfPixel);
+  return toSubpixels(roundTo(scaled, roundingOf(rules)), bits) + (shift == SnapShift::None ? 0 : kHalfPixel);
 }
 
 int32_t mapAndSnapFloat(const Rules& rules, uint32_t samples, float coordinate, float w, const ViewportAxis& axis,
                         ViewportArithmetic arithmetic) {
-  const float origin = shiftOf(rules, samples) == Shift::InViewport ? 0.5F : 0;
+  const float origin = snapShift(rules, samples) == SnapShift::InViewport ? 0.5F : 0;
   return snapFloat(rules, samples, toFramebufferFloat(coordinate, w, axis, arithmetic, origin));
 }
 
 int32_t snapPosition(const Rules& rules, uint32_t samples, double pixels) {
-  const bool centre = shiftOf(rules, samples) != Shift::None;
+  const bool centre = snapShift(rules, samples) != SnapShift::None;
   const int32_t snapped = snap(centre ? pixels - 0.5 : pixels, gridBits(rules), rules.choices.snapRounding);
   return centre ? snapped + kHalfPixel : snapped;
 }
@@ -154,7 +148,7 @@ int32_t snapUnder(const Rules& rules, uint32_t samples, float coordinate, float 
   if (rules.choices.viewportArithmetic != ViewportArithmetic::Exact) {
     return mapAndSnapFloat(rules, samples, coordinate, w, axis, rules.choices.viewportArithmetic);
   }
-  if (shiftOf(rules, samples) == Shift::None) {
+  if (snapShift(rules, samples) == SnapShift::None) {
     return snapExactly(coordinate, w, axis, gridBits(rules), roundingOf(rules));
   }
   const ViewportAxis shifted{axis.scale, axis.origin - 0.5, axis.centre};  // exact: floats of a screen and a half
@@ -162,18 +156,18 @@ int32_t snapUnder(const Rules& rules, uint32_t samples, float coordinate, float 
 }
 
 GridPlace snapAnywhere(const Rules& rules, uint32_t samples, float coordinate, float w, const ViewportAxis& axis) {
-  const Shift shift = shiftOf(rules, samples);
+  const SnapShift shift = snapShift(rules, samples);
   const ViewportArithmetic arithmetic = rules.choices.viewportArithmetic;
   double pixels = 0;
   if (arithmetic == ViewportArithmetic::Exact) {
-    pixels = double{coordinate} * axis.scale / w + axis.offset() - (shift == Shift::None ? 0 : 0.5);
+    pixels = double{coordinate} * axis.scale / w + axis.offset() - (shift == SnapShift::None ? 0 : 0.5);
   } else {
-    const float mapped = toFramebufferFloat(coordinate, w, axis, arithmetic, shift == Shift::InViewport ? 0.5F : 0);
-    pixels = shift == Shift::AfterViewport ? mapped - 0.5F : mapped;
+    const float mapped = toFramebufferFloat(coordinate, w, axis, arithmetic, shift == SnapShift::InViewport ? 0.5F : 0);
+    pixels = shift == SnapShift::AfterViewport ? mapped - 0.5F : mapped;
   }
   const int bits = gridBits(rules);
   const double steps = roundTo(std::ldexp(pixels, bits), roundingOf(rules));
-  return {steps, std::ldexp(steps, -bits) + (shift == Shift::None ? 0 : 0.5)};
+  return {steps, std::ldexp(steps, -bits) + (shift == SnapShift::None ? 0 : 0.5)};
 }
 
 SnapRange legalSnaps(float coordinate, float w, const ViewportAxis& axis, int bits, double uncertainty) {

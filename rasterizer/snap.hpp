@@ -13,6 +13,13 @@ inline constexpr double kGuardBand = 1 << 20;
 /// [choice:subpixel-bits]
 [[nodiscard]] int gridBits(const Rules& rules);
 
+/// [choice:snap-origin] where half a pixel is taken off, to be put back after rounding.
+enum class SnapShift : uint8_t { None, AfterViewport, InViewport };
+[[nodiscard]] SnapShift snapShift(const Rules& rules, uint32_t samples);
+
+/// Doubles are trusted to decide when they are at least this far (relative to the grid value + 1) from a decision point.
+inline constexpr double kSnapTrust = 0x1p-40;
+
 /// Rounds `pixels` (a double that is close enough to the truth) to the grid; result in 1/256 pixel.
 [[nodiscard]] int32_t snap(double pixels, int bits, SnapRounding rounding);
 

@@ -24,6 +24,14 @@ struct Plane {
   Plane(uint32_t w, uint32_t h, uint32_t s, uint32_t c, T fill)
       : width(w), height(h), samples(s), components(c), data(size_t{w} * h * s * c, fill) {}
 
+  /// Whatever the memory holds: for planes that are written as a whole.
+  [[nodiscard]] static Plane unwritten(uint32_t w, uint32_t h, uint32_t s, uint32_t c = 1) {
+    Plane plane;
+    plane.width = w, plane.height = h, plane.samples = s, plane.components = c;
+    plane.data = std::vector<T, ZeroedAllocator<T>>(size_t{w} * h * s * c, ZeroedAllocator<T>::unwritten());
+    return plane;
+  }
+
   [[nodiscard]] size_t index(uint32_t x, uint32_t y, uint32_t sample, uint32_t component = 0) const {
     return ((size_t{y} * width + x) * samples + sample) * components + component;
   }

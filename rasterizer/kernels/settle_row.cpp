@@ -3,9 +3,10 @@
 #define HWY_TARGET_INCLUDE "rasterizer/kernels/settle_row.cpp"
 #include "hwy/foreach_target.h"
 // After foreach_target.h:
-#include <limits>
+#include <bit>
 
 #include "hwy/highway.h"
+#include "rasterizer/kernels/round_outward-inl.h"
 #include "rasterizer/kernels/settle_row.hpp"
 #include "rasterizer/kernels/span_setup-inl.h"
 
@@ -16,69 +17,69 @@ namespace HWY_NAMESPACE {
 using F = hn::Rebind<float, D>;
 using U = hn::Rebind<uint32_t, D>;
 
-size_t FindRuns(const uint32_t* HWY_RESTRICT numbers, size_t width, uint32_t* HWY_RESTRICT starts) {
+/// Bit k: number k differs from the one before it.
+HWY_INLINE uint64_t Changes(const uint32_t* HWY_RESTRICT numbers) {
   const hn::CappedTag<uint32_t, 16> d;
-  size_t size = 1;
-  starts[0] = 0;
-  for (size_t x = 1; x < width; x += hn::Lanes(d)) {
+  uint64_t bits = 0;
+  for (size_t k = 0; k < 64; k += hn::MaxLanes(d)) {
+    const auto changes = hn::Ne(hn::LoadU(d, numbers + k), hn::LoadU(d, numbers + k - 1));
+#if HWY_TARGET <= HWY_AVX3
+    bits |= uint64_t{changes.raw} << k;
+#else
     uint8_t bytes[8] = {};
-    hn::StoreMaskBits(d, hn::Ne(hn::LoadU(d, numbers + x), hn::LoadU(d, numbers + x - 1)), bytes);
-    for (uint32_t bits = bytes[0] | uint32_t{bytes[1]} << 8; bits != 0; bits &= bits - 1)
-      starts[size++] = static_cast<uint32_t>(x) + static_cast<uint32_t>(__builtin_ctz(bits));
+    hn::StoreMaskBits(d, changes, bytes);
+    bits |= uint64_t{bytes[0]} << k;  // of at most eight lanes
+#endif
   }
-  while (size > 1 && starts[size - 1] >= width) --size;
+  return bits;
+}
+
+size_t FindRuns(const uint32_t* HWY_RESTRICT numbers, size_t width, uint32_t* HWY_RESTRICT starts) {
+  size_t size = 1, x = 1;
+  starts[0] = 0;
+  for (; x + 64 <= width; x += 64) {
+    for (uint64_t bits = Changes(numbers + x); bits != 0; bits &= bits - 1) starts[size++] = static_cast<uint32_t>(x + static_cast<size_t>(std::countr_zero(bits)));
+  }
+  for (; x < width; ++x) {
+    starts[size] = static_cast<uint32_t>(x);
+    size += numbers[x] != numbers[x - 1] ? 1 : 0;
+  }
   return size;
 }
 
-/// roundedUp of each.
-HWY_INLINE hn::Vec<F> RoundedUp(V value) {
+HWY_INLINE void PutRun(const SettledRun& run, const LinearFunction& p, double offset, double y, const SettledRow& row) {
   const D d;
   const F f;
-  const DI di;
-  const auto rounded = hn::DemoteTo(f, value);
-  const auto below = hn::DemoteTo(di, hn::IfThenElseZero(hn::Lt(hn::PromoteTo(d, rounded), value), hn::Set(d, 1)));
-  const auto magnitude = hn::Set(di, 0x7FFFFFFF);
-  const auto turned = [&](auto bits) { return hn::Xor(bits, hn::And(hn::ShiftRight<31>(bits), magnitude)); };
-  return hn::BitCast(f, turned(turned(hn::BitCast(di, rounded)) + below));
-}
-
-HWY_INLINE void PutBounds(const SettledRun& run, double offset, double y, const SettledRow& row) {
-  const D d;
-  const F f;
-  const LinearFunction& p = *run.depth;
+  const U u;
+  const auto primitive = hn::Set(u, run.primitive);
   const V rise = hn::Set(d, p.dy * (y - p.y0)), a0 = hn::Set(d, p.value), gx = hn::Set(d, p.dx), x0 = hn::Set(d, p.x0), one = hn::Set(d, 1);
   const V constant = hn::Set(d, p.constantRadius), perX = hn::Set(d, p.radiusPerX), farX = hn::Set(d, p.farX);
   const V alongY = hn::Set(d, p.radiusPerY * (std::max(p.farY, y) + 1));
-  const V infinity = hn::Set(d, std::numeric_limits<double>::infinity());
-  for (size_t i = run.begin; i < run.end; i += kLanes) {
-    const V x = NumbersFrom(d, static_cast<double>(i)) + hn::Set(d, offset);
+  V pixel = NumbersFrom(d, static_cast<double>(run.begin));
+  for (size_t i = run.begin; i < run.end; i += kLanes, pixel = pixel + hn::Set(d, kLanes)) {
+    hn::StoreU(primitive, u, row.primitive + i);
+    const V x = pixel + hn::Set(d, offset);
     const V value = (a0 + gx * (x - x0)) + rise;
     // std::max(farX, x) is farX where x is not larger, and where nobody knows.
     const V far = hn::IfThenElse(hn::Lt(farX, x), x, farX);
     const V radius = ((constant + perX * (far + one)) + alongY) + hn::Set(d, kHalfUlp) * hn::Abs(value);
-    const V lo = value - radius, hi = value + radius;
-    const M bounded = hn::And(hn::Eq(lo, lo), hn::Eq(hi, hi));
-    const auto low = hn::Neg(RoundedUp(hn::IfThenElse(bounded, hn::Neg(lo), infinity)));
-    const auto high = RoundedUp(hn::IfThenElse(bounded, hi, infinity));
-    hn::StoreU(hn::Min(low, hn::Set(f, 1)), f, row.lo + i);
+    const auto [low, high] = RoundedOutward(value - radius, value + radius);
     // std::max(high, 0) keeps a zero's sign.
-    hn::StoreU(hn::IfThenElse(hn::Lt(high, hn::Zero(f)), hn::Zero(f), high), f, row.hi + i);
+    hn::StoreInterleaved2(hn::Min(low, hn::Set(f, 1)), hn::IfThenElse(hn::Lt(high, hn::Zero(f)), hn::Zero(f), high), f, &row.bounds[i].lo);
   }
 }
 
-void SettleRuns(std::span<const SettledRun> runs, double offset, double y, Bounds none, const SettledRow& row) {
+void SettleRuns(std::span<const SettledRun> runs, std::span<const LinearFunction> planes, size_t each, double offset, double y, Bounds none, const SettledRow& row) {
   const F f;
   const U u;
   for (const SettledRun& run : runs) {
-    for (size_t i = run.begin; i < run.end; i += kLanes) hn::StoreU(hn::Set(u, run.primitive), u, row.primitive + i);
-    if (row.lo == nullptr) continue;
-    if (run.depth != nullptr) {
-      PutBounds(run, offset, y, row);
+    if (row.bounds != nullptr && run.plane != 0) {
+      PutRun(run, planes[(run.plane - 1) * each], offset, y, row);
       continue;
     }
     for (size_t i = run.begin; i < run.end; i += kLanes) {
-      hn::StoreU(hn::Set(f, none.lo), f, row.lo + i);
-      hn::StoreU(hn::Set(f, none.hi), f, row.hi + i);
+      hn::StoreU(hn::Set(u, run.primitive), u, row.primitive + i);
+      if (row.bounds != nullptr) hn::StoreInterleaved2(hn::Set(f, none.lo), hn::Set(f, none.hi), f, &row.bounds[i].lo);
     }
   }
 }
@@ -95,8 +96,8 @@ HWY_EXPORT(SettleRuns);
 
 size_t findRuns(const uint32_t* numbers, size_t width, uint32_t* starts) { return HWY_DYNAMIC_DISPATCH(FindRuns)(numbers, width, starts); }
 
-void settleRuns(std::span<const SettledRun> runs, double offset, double y, Bounds none, const SettledRow& row) {
-  HWY_DYNAMIC_DISPATCH(SettleRuns)(runs, offset, y, none, row);
+void settleRuns(std::span<const SettledRun> runs, std::span<const LinearFunction> planes, size_t each, double offset, double y, Bounds none, const SettledRow& row) {
+  HWY_DYNAMIC_DISPATCH(SettleRuns)(runs, planes, each, offset, y, none, row);
 }
 
 }  // namespace rasterdiff::rasterizer

@@ -20,17 +20,17 @@ size_t findRuns(const uint32_t* numbers, size_t width, uint32_t* starts);
 struct SettledRun {
   uint32_t begin = 0, end = 0;
   uint32_t primitive = 0;
-  const LinearFunction* depth = nullptr;  ///< null: `none` are its bounds
+  uint32_t plane = 0;  ///< 1 + the place of its planes; 0: `none` are its bounds
 };
 
 /// One row at a time, pixels beside one another.
 struct SettledRow {
   uint32_t* primitive = nullptr;
-  float* lo = nullptr;  ///< bounds of depth; null for frames without
-  float* hi = nullptr;
+  Bounds* bounds = nullptr;  ///< of depth; null for frames without
 };
 
-/// Writes the runs, which follow one another from pixel 0 to the row's end. The depth of pixel x is evaluated at (x + offset, y).
-void settleRuns(std::span<const SettledRun> runs, double offset, double y, Bounds none, const SettledRow& row);
+/// Writes the runs, which follow one another from pixel 0 to the row's end. The depth of pixel x is evaluated at (x + offset, y); its
+/// plane is the first of the `each` planes of a run's piece.
+void settleRuns(std::span<const SettledRun> runs, std::span<const LinearFunction> planes, size_t each, double offset, double y, Bounds none, const SettledRow& row);
 
 }  // namespace rasterdiff::rasterizer
