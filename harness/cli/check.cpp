@@ -10,6 +10,7 @@
 #include "harness/cli/check_worker.hpp"
 #include "harness/cli/invariant_check.hpp"
 #include "harness/cli/isolated.hpp"
+#include "harness/cli/job_groups.hpp"
 #include "harness/cli/memory.hpp"
 #include "harness/cli/driver_range.hpp"
 #include "harness/cli/message.hpp"
@@ -198,6 +199,8 @@ int runVerb(const CheckOptions& options) {
   PoolOptions pool;
   pool.workers = options.jobs > 0 ? options.jobs : coresToUse();
   pool.driverSeconds = watchdogSeconds(options.choice.timeoutSeconds);
+  JobGroups groups;
+  pool.groupOf = [&](uint32_t job) { return groups.of((*jobs)[job]); };
   const unsigned workers = std::min<unsigned>(pool.workers, static_cast<unsigned>(order.size()));
   const auto settings = [&](uint32_t job) {
     CheckSettings chosen{pictured.contains(job), std::nullopt, std::max(1U, coresToUse() / workers)};

@@ -9,9 +9,9 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
-#include <deque>
 #include <vector>
 
+#include "harness/cli/job_queue.hpp"
 #include "harness/cli/process.hpp"
 #include "harness/pipe_bytes.hpp"
 
@@ -28,6 +28,7 @@ struct Worker {
   bool open = false;
   bool leaving = false;  ///< has said that it ends
   std::optional<uint32_t> job;
+  std::optional<size_t> group;  ///< of JobQueue
   std::string phase{kDriverPhase};
   Clock::time_point since = Clock::now();
 };
@@ -36,7 +37,7 @@ class Pool {
  public:
   Pool(std::span<const uint32_t> order, const PoolOptions& options, const std::function<void(WorkerLink&)>& body,
        const PoolEvents& events)
-      : waiting_(order.begin(), order.end()), options_(options), body_(body), events_(events) {}
+      : waiting_(order, options.groupOf), options_(options), body_(body), events_(events) {}
 
   PoolOutcome run() {
     while (!giveUp_) {
@@ -48,10 +49,10 @@ class Pool {
       if (events_.tick) events_.tick();
     }
     for (Worker& worker : workers_) {
-      if (worker.job) waiting_.push_back(*worker.job);
+      if (worker.job) ++outcome_.notRun;
       (void)endChild(worker.child);
     }
-    outcome_.notRun = waiting_.size();
+    outcome_.notRun += waiting_.size();
     return outcome_;
   }
 
@@ -138,14 +139,13 @@ class Pool {
 
   void giveJob(Worker& worker) {
     worker.phase = kDriverPhase;
-    if (waiting_.empty()) {
+    worker.job = waiting_.next(worker.group);
+    if (!worker.job) {
       worker.leaving = true;
       close(worker.child.jobs);
       worker.child.jobs = -1;
       return;
     }
-    worker.job = waiting_.front();
-    waiting_.pop_front();
     const uint32_t job = *worker.job;
     // A worker that is gone already shows as the end of its message pipe.
     (void)writeFully(worker.child.jobs, reinterpret_cast<const char*>(&job), sizeof job);
@@ -173,6 +173,7 @@ class Pool {
     }
     if (worker.job) events_.died(*worker.job, death);
     worker.job.reset();
+    waiting_.leave(worker.group);
     countLoss();
   }
 
@@ -182,7 +183,7 @@ class Pool {
     }
   }
 
-  std::deque<uint32_t> waiting_;
+  JobQueue waiting_;
   const PoolOptions& options_;
   const std::function<void(WorkerLink&)>& body_;
   const PoolEvents& events_;

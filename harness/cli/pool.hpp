@@ -37,6 +37,8 @@ struct PoolOptions {
   double driverSeconds = 42;   ///< longest stay in the driver phase, opening included
   double otherSeconds = 300;   ///< longest stay in any other phase
   unsigned lossesInARow = 5;   ///< crashes and hangs without a good record between them, after which the pool gives up
+  /// Jobs that a worker gains from doing one after the other, as the driver keeps what it has compiled; none: the order is kept.
+  std::function<std::string(uint32_t job)> groupOf{};
 };
 
 /// How a worker ended that did not end by itself.
