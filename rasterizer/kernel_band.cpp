@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "rasterizer/depth/depth_stage.hpp"
-#include "rasterizer/fragment/triangle_plane.hpp"
 
 namespace rasterdiff::rasterizer {
 namespace {
@@ -104,24 +103,12 @@ void BandDrawer::gather(uint32_t band) {
   }
 }
 
-LinearFunction BandDrawer::depthPlane(uint32_t number) const {
-  const DepthCorners& c = corners_[number - 1];
-  const CornerErrors& errors = errors_[number - 1];
-  std::array<FramebufferPosition, 3> corners;
-  for (size_t i = 0; i < 3; ++i) corners[i] = {c.x[i], c.y[i], c.z[i]};
-  return TrianglePlane(corners, errors.deviation).through(c.z, errors.inputError, 0);
-}
-
 uint32_t BandDrawer::planeOf(uint32_t number) {
   uint32_t& plane = seen_[number - 1];
   if (plane != 0) return plane;
-  plane = ++seenPieces_;
-  if (inputs_) {
-    inputs_->add(primitives_[number - 1], origins_[number - 1]);
-  } else {
-    planes_.push_back(depthPlane(number));
-  }
-  return plane;
+  seenNumbers_.push_back(number);
+  if (inputs_) inputs_->add(primitives_[number - 1], origins_[number - 1]);
+  return plane = static_cast<uint32_t>(seenNumbers_.size());
 }
 
 // A run of samples with the same piece costs one look at the piece.
@@ -129,8 +116,7 @@ void BandDrawer::findRuns(uint32_t rows) {
   runs_.clear();
   rowRuns_.assign(1, 0);
   seen_.assign(positions_.size(), 0);
-  seenPieces_ = 0;
-  planes_.clear();
+  seenNumbers_.clear();
   if (inputs_) inputs_->clear();
   for (uint32_t row = 0; row < rows; ++row) {
     for (uint32_t s = 0; s < frame_.samples; ++s) {
@@ -147,6 +133,9 @@ void BandDrawer::findRuns(uint32_t rows) {
       rowRuns_.push_back(runs_.size());
     }
   }
+  if (inputs_ || !frame_.depth) return;
+  planes_.resize(seenNumbers_.size());
+  depthPlanes(corners_, errors_, seenNumbers_, planes_);
 }
 
 // `last`: nothing may be written behind this row. Behind others the next row is, which overwrites what is too much, unless it is so

@@ -7,18 +7,13 @@
 #include "rasterizer/fragment/linear_function.hpp"
 #include "rasterizer/kernel_inputs.hpp"
 #include "rasterizer/kernel_pieces.hpp"
+#include "rasterizer/kernels/depth_planes.hpp"
 #include "rasterizer/kernels/row_tally.hpp"
 #include "rasterizer/kernels/settle_row.hpp"
 #include "rasterizer/kernels/value_kernel.hpp"
 #include "scene/frame.hpp"
 
 namespace rasterdiff::rasterizer {
-
-/// How well a triangle's corners are known.
-struct CornerErrors {
-  double deviation = 0;   ///< pixels, in x and in y
-  double inputError = 0;  ///< of the depths
-};
 
 /// What came of a band, for rule counts.
 struct BandTally {
@@ -46,8 +41,7 @@ class BandDrawer {
   void gather(uint32_t band);
   /// Runs of rows [0, rows) of the target, and planes of the pieces that are seen.
   void findRuns(uint32_t rows);
-  [[nodiscard]] LinearFunction depthPlane(uint32_t number) const;
-  /// 1 + the place of the planes of piece `number`; made if it is the first time.
+  /// 1 + the place of the planes of piece `number`.
   [[nodiscard]] uint32_t planeOf(uint32_t number);
   void countCut(const TallyArea& area, BandTally& tally);
   void settleRow(uint32_t bandRow, uint32_t y, bool last);
@@ -71,7 +65,7 @@ class BandDrawer {
   std::vector<CornerErrors> errors_;
   std::vector<PieceOrigin> origins_;
   std::vector<uint32_t> seen_;  ///< of each piece: 1 + the place of its planes, 0: nowhere seen
-  uint32_t seenPieces_ = 0;
+  std::vector<uint32_t> seenNumbers_;
   std::vector<LinearFunction> planes_;  ///< of depth, where there are no inputs
   // Runs of equal numbers, row by row, samples below one another.
   std::vector<uint32_t> starts_;

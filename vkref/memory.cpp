@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "vkref/huge_pages.hpp"
 #include "vkref/vk_error.hpp"
 #include "vkref/vk_struct.hpp"
 
@@ -58,7 +57,6 @@ Result<std::unique_ptr<Buffer>> Buffer::create(const Context& context, const Key
   void* mapped = nullptr;
   VKREF_TRY(context.vk.vkMapMemory(context.device, self->memory.get(), 0, VK_WHOLE_SIZE, 0, &mapped));
   self->mapped = static_cast<std::byte*>(mapped);
-  adviseHugePages(mapped, static_cast<size_t>(key.bytes));
   return self;
 }
 

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "scene/built_ins.hpp"
-#include "vkref/huge_pages.hpp"
 #include "vkref/unpack.hpp"
 
 namespace rasterdiff::vkref {
@@ -18,8 +17,7 @@ constexpr float kInexactCount = 16777216;
 /// A plane of the plan's extents. All of it is going to be written.
 template <class T>
 Plane<T> emptyPlane(const RenderPlan& plan, uint32_t samples, uint32_t components) {
-  Plane<T> plane(plan.width, plan.height, samples, components);
-  adviseHugePages(plane.data.data(), plane.data.size() * sizeof(T));
+  auto plane = Plane<T>::unwritten(plan.width, plan.height, samples, components);
   return plane;
 }
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <span>
 
-#include "rasterizer/fragment/linear_function.hpp"
+#include "rasterizer/fragment/plane_formula.hpp"
 #include "rasterizer/geometry.hpp"
 
 namespace rasterdiff::rasterizer {
@@ -30,16 +30,8 @@ class TrianglePlane {
   [[nodiscard]] Gradient gradient(const std::array<double, 3>& values, double inputError) const;
 
  private:
-  [[nodiscard]] bool undetermined() const { return determinant_ == 0 || sensitivity_ >= 0.5; }
-
-  double x_[3], y_[3];
-  double e1x_, e1y_, e2x_, e2y_, determinant_;
-  double perimeter_;    // L1, pixels
-  double width_, height_;  // pixels
-  double deviation_;    // pixels
-  double condition_;    // 1 + (|e| + |f|) / |det|: how much the determinant's cancellation amplifies roundings
-  double reach_ = 1;    // bound on Σ |bᵢ| where the planes are evaluated
-  double sensitivity_;  // relative change of the determinant under legal placements
+  TriangleMeasures<double> t_;
+  double reach_ = 1;  // bound on Σ |bᵢ| where the planes are evaluated
 };
 
 }  // namespace rasterdiff::rasterizer
