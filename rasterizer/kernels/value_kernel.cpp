@@ -16,11 +16,26 @@ HWY_BEFORE_NAMESPACE();
 namespace rasterdiff::rasterizer {
 namespace HWY_NAMESPACE {
 
+/// Copies of triangles `places` [0, size) with what they carry, and fetches those that come next.
+struct GatheredBatch {
+  SnappedTriangle positions[ValueBatch::kSize];
+  float depth[3 * ValueBatch::kSize];
+
+  HWY_INLINE void Gather(const ValueTriangles& triangles, const uint32_t* HWY_RESTRICT places, size_t size, size_t left) {
+    for (size_t k = 0; k < size; ++k) {
+      const size_t t = places[k], next = places[std::min(k + ValueBatch::kSize, left - 1)];
+      __builtin_prefetch(&triangles.positions[next]);
+      positions[k] = triangles.positions[t];
+      if (triangles.depth.empty()) continue;
+      __builtin_prefetch(triangles.depth.data() + 3 * next);
+      std::copy_n(triangles.depth.data() + 3 * t, 3, depth + 3 * k);
+    }
+  }
+};
+
 template <class P>
-void SetUpBatch(const ValueTriangles& triangles, size_t first, size_t size, const ValueView& view, ValueBatch& b) {
-  const SnappedTriangle* HWY_RESTRICT t = triangles.positions.data() + first;
-  const float* HWY_RESTRICT z = P::kDepth && !P::kCorners ? triangles.depth.data() + 3 * first : nullptr;
-  const DepthCorners* HWY_RESTRICT corners = P::kCorners ? triangles.corners.data() + first : nullptr;
+void SetUpBatch(const SnappedTriangle* HWY_RESTRICT t, const float* HWY_RESTRICT z, const DepthCorners* HWY_RESTRICT corners, size_t size,
+                const ValueView& view, ValueBatch& b) {
   b.size = 0;
   size_t i = 0;
   for (; i + kLanes <= size; i += kLanes)
@@ -35,47 +50,62 @@ void SetUpBatch(const ValueTriangles& triangles, size_t first, size_t size, cons
   SetUpValues<P::kDepth, P::kCorners>(rest, restDepth, restCorners, i, view, b);
 }
 
+/// Sets up triangles [first, first + size) of the list.
 template <class P>
-DrawnArea DrawAll(const ValueTriangles& triangles, const ValueView& view) {
+void SetUpListed(const ValueTriangles& triangles, const DrawnList& list, size_t first, size_t size, const ValueView& view, GatheredBatch& gathered,
+                 ValueBatch& b) {
+  const bool own = P::kDepth && !P::kCorners;
+  if (list.places != nullptr) {
+    gathered.Gather(triangles, list.places + first, size, list.size - first);
+    for (size_t k = 0; k < size; ++k) b.numbers[k] = view.before + list.places[first + k] + 1;
+    SetUpBatch<P>(gathered.positions, own ? gathered.depth : nullptr, nullptr, size, view, b);
+    return;
+  }
+  for (size_t k = 0; k < ValueBatch::kSize; ++k) b.numbers[k] = view.before + static_cast<uint32_t>(first + k + 1);
+  SetUpBatch<P>(triangles.positions.data() + first, own ? triangles.depth.data() + 3 * first : nullptr,
+                P::kCorners ? triangles.corners.data() + first : nullptr, size, view, b);
+}
+
+template <class P>
+DrawnArea DrawAll(const ValueTriangles& triangles, const DrawnList& list, const ValueView& view) {
   ValueBatch b;
+  GatheredBatch gathered;
   Chunks chunks;
   Farthest farthest(view);
-  for (size_t first = 0; first < triangles.positions.size(); first += ValueBatch::kSize) {
-    const uint32_t number = view.before + static_cast<uint32_t>(first + 1);
-    SetUpBatch<P>(triangles, first, std::min(ValueBatch::kSize, triangles.positions.size() - first), view, b);
+  for (size_t first = 0; first < list.size; first += ValueBatch::kSize) {
+    SetUpListed<P>(triangles, list, first, std::min(ValueBatch::kSize, list.size - first), view, gathered, b);
     for (size_t k = 0; k < b.size; ++k) {
       const size_t i = b.places[k];
-      const auto itsNumber = number + static_cast<uint32_t>(i);
       const uint64_t way = P::kDepth ? b.way[i] : kSmall;
       if (HWY_LIKELY(b.far[i] == 0 && way == kSmall)) {
-        FindChunks<P>(view, b, i, number, chunks);
+        FindChunks<P>(view, b, i, chunks);
         continue;
       }
-      DrawChunks<P>(view, b, chunks, number);
+      DrawChunks<P>(view, b, chunks);
       if (b.far[i] != 0) {
-        drawFarTriangle(triangles, first + i, view);
+        drawFarTriangle(triangles, b.numbers[i] - view.before - 1, view);
       } else if (way == kMedium) {
-        DrawMedium<P>(view, b, i, farthest, itsNumber);
+        DrawMedium<P>(view, b, i, farthest, b.numbers[i]);
       } else {
-        DrawLarge<P>(view, b, i, farthest, itsNumber);
+        DrawLarge<P>(view, b, i, farthest, b.numbers[i]);
       }
     }
-    DrawChunks<P>(view, b, chunks, number);
+    DrawChunks<P>(view, b, chunks);
   }
   return AreaOf(b);
 }
 
-DrawnArea DrawPlanes(const ValueTriangles& triangles, const ValueView& view) {
-  if (!triangles.corners.empty()) return DrawAll<Planes<true, true, true, true>>(triangles, view);
+DrawnArea DrawPlanes(const ValueTriangles& triangles, const DrawnList& list, const ValueView& view) {
+  if (!triangles.corners.empty()) return DrawAll<Planes<true, true, true, true>>(triangles, list, view);
   const unsigned which = (view.primitive != nullptr ? 1 : 0) | (view.count != nullptr ? 2 : 0) | (view.depth != nullptr ? 4 : 0);
   switch (which) {
-    case 1: return DrawAll<Planes<true, false, false>>(triangles, view);
-    case 2: return DrawAll<Planes<false, true, false>>(triangles, view);
-    case 3: return DrawAll<Planes<true, true, false>>(triangles, view);
-    case 4: return DrawAll<Planes<false, false, true>>(triangles, view);
-    case 5: return DrawAll<Planes<true, false, true>>(triangles, view);
-    case 6: return DrawAll<Planes<false, true, true>>(triangles, view);
-    case 7: return DrawAll<Planes<true, true, true>>(triangles, view);
+    case 1: return DrawAll<Planes<true, false, false>>(triangles, list, view);
+    case 2: return DrawAll<Planes<false, true, false>>(triangles, list, view);
+    case 3: return DrawAll<Planes<true, true, false>>(triangles, list, view);
+    case 4: return DrawAll<Planes<false, false, true>>(triangles, list, view);
+    case 5: return DrawAll<Planes<true, false, true>>(triangles, list, view);
+    case 6: return DrawAll<Planes<false, true, true>>(triangles, list, view);
+    case 7: return DrawAll<Planes<true, true, true>>(triangles, list, view);
     default: return {};
   }
 }
@@ -88,6 +118,7 @@ HWY_AFTER_NAMESPACE();
 #include <thread>
 #include <vector>
 
+#include "rasterizer/kernels/value_bins.hpp"
 #include "rasterizer/kernels/value_shading.hpp"
 
 namespace rasterdiff::rasterizer {
@@ -120,17 +151,26 @@ uint64_t drawBand(const ValueTriangles& triangles, ValueTarget& target, uint32_t
   if (view.depth != nullptr) view.depth -= above;
   uint64_t met = 0;
   view.met = &met;
-  (void)HWY_DYNAMIC_DISPATCH(DrawPlanes)(triangles, view);
+  (void)HWY_DYNAMIC_DISPATCH(DrawPlanes)(triangles, {nullptr, triangles.positions.size()}, view);
   return met;
 }
 
 void drawValues(const ValueTriangles& triangles, ValueTarget& target, unsigned threads) {
   constexpr uint32_t kLeastRows = 16;  // of a band
-  const auto drawRows = [&](uint32_t firstRow, uint32_t endRow) {
+  const auto drawList = [&](const DrawnList& list, uint32_t firstRow, uint32_t endRow) {
     ValueView view = valueView(target, firstRow, endRow);
     view.shaded = !target.varyings.empty();
-    const DrawnArea area = HWY_DYNAMIC_DISPATCH(DrawPlanes)(triangles, view);
+    const DrawnArea area = HWY_DYNAMIC_DISPATCH(DrawPlanes)(triangles, list, view);
     if (!target.varyings.empty()) shadeArea(triangles, target, area);
+  };
+  const uint32_t rows = nearRows(triangles, target);
+  const auto drawRows = [&](uint32_t firstRow, uint32_t endRow) {
+    if (rows >= endRow - firstRow) return drawList({nullptr, triangles.positions.size()}, firstRow, endRow);
+    const ValueBins bins(triangles.positions, firstRow, endRow, rows);
+    for (size_t k = 0; k < bins.size(); ++k) {
+      const uint32_t top = firstRow + static_cast<uint32_t>(k) * rows;
+      drawList(bins.of(k), top, std::min(top + rows, endRow));
+    }
   };
   if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
   threads = std::min(threads, std::max(1u, target.height() / kLeastRows));

@@ -104,9 +104,9 @@ HWY_INLINE hn::Vec<ChunkF> WriteChunk(const ValueView& view, size_t i, hn::Mask<
   return depth;
 }
 
-/// `number` of the triangle at place 0. Lines are fetched some chunks ahead: triangles come from all over the target.
+/// Lines are fetched some chunks ahead: triangles come from all over the target.
 template <class P>
-HWY_NOINLINE void DrawChunks(const ValueView& target, const ValueBatch& b, Chunks& chunks, uint32_t number) {
+HWY_NOINLINE void DrawChunks(const ValueView& target, const ValueBatch& b, Chunks& chunks) {
   if (chunks.size == 0) return;
   const ValueView view = target;  // which no store can change
   const auto elementOf = [](uint64_t code) { return code & ((uint64_t{1} << 40) - 1); };
@@ -129,7 +129,7 @@ HWY_NOINLINE void DrawChunks(const ValueView& target, const ValueBatch& b, Chunk
       if (P::kDepth) plane.chunk = chunks.depth[k], plane.gx = b.gx[place];
       if (P::kCorners) plane.a0 = b.a0[place], plane.x0 = b.x0[place], plane.column = chunks.column[k];
       if (P::kDepth) depth = ChunkDepth<P>(plane, first);
-      WriteChunk<P>(view, element + first, ChunkMask(bits >> first), depth, number + static_cast<uint32_t>(place));
+      WriteChunk<P>(view, element + first, ChunkMask(bits >> first), depth, b.numbers[place]);
     }
   }
   chunks.size = 0;
@@ -155,7 +155,7 @@ HWY_INLINE hn::Vec<DU> BitsBetween(V from, V to) {
 
 /// Appends the chunks of place `i`, drawing what does not fit.
 template <class P>
-HWY_INLINE void FindChunks(const ValueView& view, const ValueBatch& b, size_t i, uint32_t number, Chunks& chunks) {
+HWY_INLINE void FindChunks(const ValueView& view, const ValueBatch& b, size_t i, Chunks& chunks) {
   const D d;
   const DU du;
   const V two52 = hn::Set(d, 4503599627370496.0), eight = hn::Set(d, 8);
@@ -189,7 +189,7 @@ HWY_INLINE void FindChunks(const ValueView& view, const ValueBatch& b, size_t i,
           Append(hn::BitCast(du, rowDepth + hn::Set(d, b.gx[i]) * (fromAnchor + column)), more, reinterpret_cast<uint64_t*>(chunks.depth), size);
         }
         Append(code, more, chunks.codes, chunks.size);
-        if (HWY_UNLIKELY(chunks.size > Chunks::kRoom)) DrawChunks<P>(view, b, chunks, number);
+        if (HWY_UNLIKELY(chunks.size > Chunks::kRoom)) DrawChunks<P>(view, b, chunks);
         column = column + eight;
         more = hn::And(more, hn::Lt(column, end));
       } while (!hn::AllFalse(d, more));
