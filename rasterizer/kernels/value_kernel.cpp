@@ -36,15 +36,16 @@ struct GatheredBatch {
 template <class P>
 void SetUpBatch(const SnappedTriangle* HWY_RESTRICT t, const float* HWY_RESTRICT z, const DepthCorners* HWY_RESTRICT corners, size_t size,
                 const ValueView& view, ValueBatch& b) {
+  constexpr bool kOwn = P::kDepth && !P::kCorners;
   b.size = 0;
   size_t i = 0;
   for (; i + kLanes <= size; i += kLanes)
-    SetUpValues<P::kDepth, P::kCorners>(t + i, z == nullptr ? nullptr : z + 3 * i, P::kCorners ? corners + i : nullptr, i, view, b);
+    SetUpValues<P::kDepth, P::kCorners>(t + i, kOwn ? z + 3 * i : nullptr, P::kCorners ? corners + i : nullptr, i, view, b);
   if (i == size) return;
   SnappedTriangle rest[kLanes] = {};  // the others have no area
   float restDepth[3 * kLanes] = {};
   std::copy(t + i, t + size, rest);
-  if (z != nullptr) std::copy(z + 3 * i, z + 3 * size, restDepth);
+  if (kOwn) std::copy(z + 3 * i, z + 3 * size, restDepth);
   DepthCorners restCorners[P::kCorners ? kLanes : 1] = {};
   if (P::kCorners) std::copy(corners + i, corners + size, restCorners);
   SetUpValues<P::kDepth, P::kCorners>(rest, restDepth, restCorners, i, view, b);
@@ -52,18 +53,32 @@ void SetUpBatch(const SnappedTriangle* HWY_RESTRICT t, const float* HWY_RESTRICT
 
 /// Sets up triangles [first, first + size) of the list.
 template <class P>
-void SetUpListed(const ValueTriangles& triangles, const DrawnList& list, size_t first, size_t size, const ValueView& view, GatheredBatch& gathered,
+HWY_NOINLINE void SetUpListed(const ValueTriangles& triangles, const DrawnList& list, size_t first, size_t size, const ValueView& view, GatheredBatch& gathered,
                  ValueBatch& b) {
-  const bool own = P::kDepth && !P::kCorners;
-  if (list.places != nullptr) {
+  constexpr bool kOwn = P::kDepth && !P::kCorners;
+  b.listed = list.places != nullptr;
+  if (b.listed) {
     gathered.Gather(triangles, list.places + first, size, list.size - first);
-    for (size_t k = 0; k < size; ++k) b.numbers[k] = view.before + list.places[first + k] + 1;
-    SetUpBatch<P>(gathered.positions, own ? gathered.depth : nullptr, nullptr, size, view, b);
+    for (size_t k = 0; k < size; ++k) b.triangles[k] = list.places[first + k];
+    SetUpBatch<P>(gathered.positions, kOwn ? gathered.depth : nullptr, nullptr, size, view, b);
     return;
   }
-  for (size_t k = 0; k < ValueBatch::kSize; ++k) b.numbers[k] = view.before + static_cast<uint32_t>(first + k + 1);
-  SetUpBatch<P>(triangles.positions.data() + first, own ? triangles.depth.data() + 3 * first : nullptr,
+  b.triangles[0] = static_cast<uint32_t>(first);
+  SetUpBatch<P>(triangles.positions.data() + first, kOwn ? triangles.depth.data() + 3 * first : nullptr,
                 P::kCorners ? triangles.corners.data() + first : nullptr, size, view, b);
+}
+
+/// Draws place `i`, which is not small or beyond the fast range. A function of its own, for the sake of the loop that calls it.
+template <class P>
+HWY_NOINLINE void DrawOther(const ValueTriangles& triangles, const ValueView& view, const ValueBatch& b, size_t i, Farthest& farthest) {
+  const uint32_t triangle = b.listed ? b.triangles[i] : b.triangles[0] + static_cast<uint32_t>(i), number = view.before + 1 + triangle;
+  if (b.far[i] != 0) {
+    drawFarTriangle(triangles, triangle, view);
+  } else if (b.way[i] == kMedium) {
+    DrawMedium<P>(view, b, i, farthest, number);
+  } else {
+    DrawLarge<P>(view, b, i, farthest, number);
+  }
 }
 
 template <class P>
@@ -82,13 +97,7 @@ DrawnArea DrawAll(const ValueTriangles& triangles, const DrawnList& list, const 
         continue;
       }
       DrawChunks<P>(view, b, chunks);
-      if (b.far[i] != 0) {
-        drawFarTriangle(triangles, b.numbers[i] - view.before - 1, view);
-      } else if (way == kMedium) {
-        DrawMedium<P>(view, b, i, farthest, b.numbers[i]);
-      } else {
-        DrawLarge<P>(view, b, i, farthest, b.numbers[i]);
-      }
+      DrawOther<P>(triangles, view, b, i, farthest);
     }
     DrawChunks<P>(view, b, chunks);
   }

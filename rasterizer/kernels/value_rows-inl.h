@@ -104,11 +104,12 @@ HWY_INLINE hn::Vec<ChunkF> WriteChunk(const ValueView& view, size_t i, hn::Mask<
   return depth;
 }
 
-/// Lines are fetched some chunks ahead: triangles come from all over the target.
-template <class P>
-HWY_NOINLINE void DrawChunks(const ValueView& target, const ValueBatch& b, Chunks& chunks) {
+/// kListed: as the batch is. Lines are fetched some chunks ahead: triangles come from all over the target.
+template <class P, bool kListed>
+HWY_INLINE void DrawChunksOf(const ValueView& target, const ValueBatch& b, Chunks& chunks) {
   if (chunks.size == 0) return;
   const ValueView view = target;  // which no store can change
+  const uint32_t firstNumber = view.before + 1 + (kListed ? 0 : b.triangles[0]);
   const auto elementOf = [](uint64_t code) { return code & ((uint64_t{1} << 40) - 1); };
   std::fill_n(chunks.codes + chunks.size, Chunks::kAhead, chunks.codes[0]);
   const auto prefetch = [&](uint64_t code) {
@@ -129,10 +130,20 @@ HWY_NOINLINE void DrawChunks(const ValueView& target, const ValueBatch& b, Chunk
       if (P::kDepth) plane.chunk = chunks.depth[k], plane.gx = b.gx[place];
       if (P::kCorners) plane.a0 = b.a0[place], plane.x0 = b.x0[place], plane.column = chunks.column[k];
       if (P::kDepth) depth = ChunkDepth<P>(plane, first);
-      WriteChunk<P>(view, element + first, ChunkMask(bits >> first), depth, b.numbers[place]);
+      WriteChunk<P>(view, element + first, ChunkMask(bits >> first), depth,
+                    firstNumber + (kListed ? b.triangles[place] : static_cast<uint32_t>(place)));
     }
   }
   chunks.size = 0;
+}
+
+template <class P>
+HWY_NOINLINE void DrawChunks(const ValueView& view, const ValueBatch& b, Chunks& chunks) {
+  if (HWY_UNLIKELY(b.listed)) {
+    DrawChunksOf<P, true>(view, b, chunks);
+  } else {
+    DrawChunksOf<P, false>(view, b, chunks);
+  }
 }
 
 /// Left and right bounds of rows `r` of place `i`, sample `s`, cut by the box; whole numbers.

@@ -47,7 +47,8 @@ struct ValueBatch {
   // Depth: the plane's anchor (pixels) and gradients (a pixel), the nearest vertex.
   alignas(64) double a0[kSize], x0[kSize], y0[kSize], gx[kSize], gy[kSize], nearest[kSize];
   alignas(64) double firstColumn[kSize], endColumn[kSize], firstRow[kSize], endRow[kSize];  // clipped box
-  alignas(64) uint32_t numbers[kSize + 16];  // of the triangles
+  bool listed = false;         // triangles are those of a list, otherwise neighbours
+  uint32_t triangles[kSize];  // places in ValueTriangles; of neighbours the first one only
   size_t size = 0;
   uint64_t places[kSize + 8];  // of what is to be drawn, in order
   alignas(64) uint64_t far[kSize];   // ~0: beyond the fast range
