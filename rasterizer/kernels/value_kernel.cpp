@@ -164,29 +164,38 @@ uint64_t drawBand(const ValueTriangles& triangles, ValueTarget& target, uint32_t
   return met;
 }
 
+namespace {
+
+/// Draws and shades rows [firstRow, endRow).
+void drawListed(const ValueTriangles& triangles, const DrawnList& list, ValueTarget& target, uint32_t firstRow, uint32_t endRow) {
+  ValueView view = valueView(target, firstRow, endRow);
+  view.shaded = !target.varyings.empty();
+  const DrawnArea area = HWY_DYNAMIC_DISPATCH(DrawPlanes)(triangles, list, view);
+  if (!target.varyings.empty()) shadeArea(triangles, target, area);
+}
+
+/// The same of all triangles, `rows` rows at a time.
+void drawInBands(const ValueTriangles& triangles, ValueTarget& target, uint32_t firstRow, uint32_t endRow, uint32_t rows) {
+  if (rows >= endRow - firstRow) return drawListed(triangles, {nullptr, triangles.positions.size()}, target, firstRow, endRow);
+  const ValueBins bins(triangles.positions, firstRow, endRow, rows);
+  for (size_t k = 0; k < bins.size(); ++k) {
+    const uint32_t top = firstRow + static_cast<uint32_t>(k) * rows;
+    drawListed(triangles, bins.of(k), target, top, std::min(top + rows, endRow));
+  }
+}
+
+}  // namespace
+
 void drawValues(const ValueTriangles& triangles, ValueTarget& target, unsigned threads) {
   constexpr uint32_t kLeastRows = 16;  // of a band
-  const auto drawList = [&](const DrawnList& list, uint32_t firstRow, uint32_t endRow) {
-    ValueView view = valueView(target, firstRow, endRow);
-    view.shaded = !target.varyings.empty();
-    const DrawnArea area = HWY_DYNAMIC_DISPATCH(DrawPlanes)(triangles, list, view);
-    if (!target.varyings.empty()) shadeArea(triangles, target, area);
-  };
   const uint32_t rows = nearRows(triangles, target);
-  const auto drawRows = [&](uint32_t firstRow, uint32_t endRow) {
-    if (rows >= endRow - firstRow) return drawList({nullptr, triangles.positions.size()}, firstRow, endRow);
-    const ValueBins bins(triangles.positions, firstRow, endRow, rows);
-    for (size_t k = 0; k < bins.size(); ++k) {
-      const uint32_t top = firstRow + static_cast<uint32_t>(k) * rows;
-      drawList(bins.of(k), top, std::min(top + rows, endRow));
-    }
-  };
   if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
   threads = std::min(threads, std::max(1u, target.height() / kLeastRows));
+  const auto start = [&](unsigned k) { return k == threads ? target.height() : static_cast<uint32_t>(uint64_t{target.height()} * k / threads) / 8 * 8; };
   std::vector<std::thread> workers;
-  const auto bandStart = [&](unsigned k) { return k == threads ? target.height() : static_cast<uint32_t>(uint64_t{target.height()} * k / threads) / 8 * 8; };
-  for (unsigned k = 1; k < threads; ++k) workers.emplace_back(drawRows, bandStart(k), bandStart(k + 1));
-  drawRows(0, bandStart(1));
+  for (unsigned k = 1; k < threads; ++k)
+    workers.emplace_back([&, k] { drawInBands(triangles, target, start(k), start(k + 1), rows); });
+  drawInBands(triangles, target, 0, start(1), rows);
   for (std::thread& worker : workers) worker.join();
 }
 

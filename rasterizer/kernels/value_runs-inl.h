@@ -43,12 +43,13 @@ struct Strip {
 using NumberTag = hn::CappedTag<uint32_t, 16>;
 using Numbers = hn::Vec<NumberTag>;
 inline constexpr size_t kNumberLanes = hn::MaxLanes(NumberTag());
-inline constexpr uint64_t kNumberBits = (1u << kNumberLanes) - 1;
 
 /// One bit a lane.
 HWY_INLINE uint64_t BitsOf(hn::Mask<NumberTag> mask) {
 #if HWY_TARGET <= HWY_AVX3
   return mask.raw;
+#elif HWY_TARGET <= HWY_AVX2
+  return static_cast<uint32_t>(_mm256_movemask_ps(_mm256_castsi256_ps(mask.raw)));
 #else
   uint8_t bytes[8] = {};
   hn::StoreMaskBits(NumberTag(), mask, bytes);
@@ -56,15 +57,16 @@ HWY_INLINE uint64_t BitsOf(hn::Mask<NumberTag> mask) {
 #endif
 }
 
-/// From one bit a lane; above those of the lanes there is none.
-template <class T>
-HWY_INLINE hn::Mask<T> MaskOfBits(T tag, uint64_t bits) {
+/// Appends the numbers of pixels whose bits are set; `to` has room for a vector more.
+HWY_INLINE void AppendNumbers(const uint32_t* HWY_RESTRICT numbers, uint64_t bits, uint32_t* HWY_RESTRICT to, size_t& size) {
 #if HWY_TARGET <= HWY_AVX3
-  (void)tag;
-  return hn::Mask<T>{static_cast<decltype(hn::Mask<T>::raw)>(bits)};
+  for (size_t x = 0; x < kStripColumns; x += kNumberLanes) {
+    const auto mask = static_cast<__mmask16>(bits >> x);
+    _mm512_storeu_si512(to + size, _mm512_maskz_compress_epi32(mask, _mm512_maskz_loadu_epi32(mask, numbers + x)));
+    size += static_cast<size_t>(__builtin_popcount(mask));
+  }
 #else
-  const uint8_t bytes[8] = {static_cast<uint8_t>(bits)};
-  return hn::LoadMaskBits(tag, bytes);
+  for (; bits != 0; bits &= bits - 1) to[size++] = numbers[std::countr_zero(bits)];
 #endif
 }
 
@@ -111,17 +113,12 @@ HWY_INLINE void FindRuns(const uint32_t* HWY_RESTRICT numbers, const uint32_t* H
     fresh &= others;
   }
   fresh = (above != nullptr ? fresh : ~uint64_t{0}) & row.starts & row.drawn;
-  size_t size = strip.size, wanted = strip.wantedSize;
-  for (size_t x = 0; x < pixels; x += kNumberLanes) {
-    const Numbers here = hn::LoadU(u, numbers + x);
-    const uint64_t bits = row.starts >> x & kNumberBits, freshBits = fresh >> x & kNumberBits;
-    hn::StoreU(hn::Compress(here, MaskOfBits(u, bits)), u, strip.numbers + size);
-    hn::StoreU(hn::Compress(here, MaskOfBits(u, freshBits)), u, strip.wanted + wanted);
-    size += static_cast<size_t>(std::popcount(bits)), wanted += static_cast<size_t>(std::popcount(freshBits));
-  }
+  size_t size = strip.size;
+  AppendNumbers(numbers, row.starts, strip.numbers, size);
+  AppendNumbers(numbers, fresh, strip.wanted, strip.wantedSize);
   const hn::CappedTag<double, 8> d;
   for (size_t k = strip.size; k < size; k += hn::MaxLanes(d)) hn::StoreU(hn::Set(d, y), d, strip.y + k);
-  strip.size = size, strip.wantedSize = wanted;
+  strip.size = size;
 }
 
 /// Fetches what a strip wants of triangles.

@@ -115,7 +115,8 @@ class Tiles {
         if ((here.drawn >> x / kLinePixels * kLinePixels & kLineBits) == 0) continue;
         LineWeights& weights = weights_[k * kRowLines + x / kLinePixels];
         const size_t part = x % kLinePixels;
-        const auto place = hn::IfThenElseZero(MaskOfBits(u, here.drawn >> x & kBits), hn::LoadU(u, numbers + x) - hn::Set(u, 1));
+        // Nobody's pixels take any triangle; behind the target's columns they are nobody's.
+        const auto place = hn::Max(hn::LoadU(u, numbers + x), hn::Set(u, 1)) - hn::Set(u, 1);
         PutProducts(place, each, weights.values + part);
         PerVertex b = EdgeFunctions(edges_, spread, hn::Iota(d, 0) + hn::Set(d, x));
         if (HWY_UNLIKELY(area_.far)) {
@@ -145,6 +146,7 @@ class Tiles {
   template <bool kPast>
   HWY_NOINLINE void FindValues(const StripBox& box, const Strip& strip) {
     const LineF f;
+    const hn::RebindToUnsigned<LineF> u;
     constexpr uint64_t kLineBits = (1u << kLinePixels) - 1;
     const float* HWY_RESTRICT values = triangles_.values.data();
     for (uint32_t row = box.top * samples_, k = 0; row < box.bottom * samples_; ++row, ++k) {
@@ -158,7 +160,7 @@ class Tiles {
           continue;
         }
         const LineWeights& weights = weights_[k * kRowLines + x / kLinePixels];
-        const Outputs<kPast> out{to_, element, MaskOfBits(f, here.drawn >> x & kLineBits)};
+        const Outputs<kPast> out{to_, element, hn::RebindMask(f, hn::Ne(hn::LoadU(u, numbers_ + element), hn::Zero(u)))};
         if ((here.starts >> x & kLineBits) <= 1) {
           ShadeOne(values + weights.values[0], components_, weights, out);
         } else {
