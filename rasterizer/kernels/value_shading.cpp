@@ -118,7 +118,7 @@ class Tiles {
         // Nobody's pixels take any triangle; behind the target's columns they are nobody's.
         const auto place = hn::Max(hn::LoadU(u, numbers + x), hn::Set(u, 1)) - hn::Set(u, 1);
         PutProducts(place, each, weights.values + part);
-        PerVertex b = EdgeFunctions(edges_, spread, hn::Iota(d, 0) + hn::Set(d, x));
+        PerVertex b = EdgeFunctions(edges_, spread, (hn::Iota(d, 0) + hn::Set(d, x)) * hn::Set(d, kSubpixelOne));
         if (HWY_UNLIKELY(area_.far)) {
           const auto centre = [](uint32_t pixel) { return static_cast<int32_t>(pixel) * kSubpixelOne + kSubpixelOne / 2; };
           b = FarEdgeFunctions(triangles_, numbers + x, {centre(box.left + x), centre(box.top + k / samples_)});

@@ -5,7 +5,7 @@
 // The arithmetic. With bᵢ the edge function of the edge opposite to vertex i at the pixel's centre, a value is
 //   Σ wᵢ vᵢ,  wᵢ = Pᵢ / (P0 + P1 + P2),  Pᵢ = bᵢ rᵢ (perspective, r = 1 / w) or bᵢ.
 // Within the fast range (|coordinates| <= 2^22) the bᵢ are integers: at the centre in the tile's first column, which is less than 64
-// pixels away, sums of two exact products, below 2^48; in column i that and i · step, step = 256 · (a difference of y) < 2^32.
+// pixels away, sums of two exact products, below 2^48; in column i that and step · 256 i, step = a difference of y < 2^24.
 // All of it is exact in doubles, so that it does not matter from where a pixel is reached. Beyond the fast range bᵢ are 128-bit
 // integers rounded once. Roundings, in units of u = 2^-53: Pᵢ 1 (2 beyond the fast range); the sum D of them 4 κ in all with
 // κ = Σ |Pᵢ| / |D|, which is 1 where the centre is inside; q = 1 / D one; wᵢ = Pᵢ q one; wᵢ vᵢ one; two sums two. So
