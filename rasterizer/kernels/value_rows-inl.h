@@ -171,7 +171,8 @@ HWY_INLINE void FindChunks(const ValueView& view, const ValueBatch& b, size_t i,
   const DU du;
   const V two52 = hn::Set(d, 4503599627370496.0), eight = hn::Set(d, 8);
   const V endRow = hn::Set(d, b.endRow[i]);
-  const auto low40 = hn::Set(du, (uint64_t{1} << 40) - 1), place = hn::Set(du, uint64_t{i} << 48);
+  // A double from 2^52 on is its whole number in the low bits, and an exponent that goes where the place comes.
+  const auto place = hn::Set(du, (uint64_t{i} << 48) - (uint64_t{0x433} << 52)), eightBits = hn::Set(du, uint64_t{0xFF} << 40);
   const double rowElements = static_cast<double>(view.samples * view.stride);
   for (double row = b.firstRow[i]; row < b.endRow[i]; row += static_cast<double>(kLanes)) {
     const V r = NumbersFrom(d, row);
@@ -189,8 +190,10 @@ HWY_INLINE void FindChunks(const ValueView& view, const ValueBatch& b, size_t i,
       }
       const V fromAnchor = hn::Set(d, P::kDepth ? view.x[s] / 256 - (P::kCorners ? 0 : b.x0[i]) : 0);
       do {
-        const auto bits = hn::ShiftLeft<40>(BitsBetween(begin - column, end - column));
-        const auto code = hn::Or(hn::Or(hn::And(hn::BitCast(du, element + column), low40), bits), place);
+        // Pixels from the chunk's first to the run's end; of lanes without any, anything.
+        const auto pixels = hn::And(hn::BitCast(du, hn::Min(end - column, eight) + two52), hn::Set(du, 15));
+        const auto bits = hn::AndNot(hn::Shl(eightBits, pixels), eightBits);
+        const auto code = hn::Or(hn::BitCast(du, element + column) + place, bits);
         size_t size = chunks.size;
         if (P::kCorners) {
           Append(hn::BitCast(du, fromAnchor + column), more, reinterpret_cast<uint64_t*>(chunks.column), size);
