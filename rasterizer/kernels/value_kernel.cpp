@@ -93,7 +93,13 @@ DrawnArea DrawAll(const ValueTriangles& triangles, const DrawnList& list, const 
       const size_t i = b.places[k];
       const uint64_t way = P::kDepth ? b.way[i] : kSmall;
       if (HWY_LIKELY(b.far[i] == 0 && way == kSmall)) {
-        FindChunks<P>(view, b, i, chunks);
+        if (HWY_LIKELY(b.endRow[i] - b.firstRow[i] < kHighRows)) {
+          FindChunks<P, false>(view, b, i, chunks);
+        } else if (view.samples == 1) {
+          FindChunksOfHigh<P, true>(view, b, i, chunks);
+        } else {
+          FindChunksOfHigh<P, false>(view, b, i, chunks);
+        }
         continue;
       }
       DrawChunks<P>(view, b, chunks);

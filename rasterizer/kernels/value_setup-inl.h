@@ -35,6 +35,7 @@ namespace HWY_NAMESPACE {
 
 inline constexpr double kWidePixels = 128, kMediumPixels = 16;  // lengths of the longest row
 inline constexpr double kMediumArea = 256;                     // pixels
+inline constexpr double kHighRows = 48;                        // rows of a small one, for a function of its own
 
 /// Which way a triangle is drawn: without a depth test all are small.
 inline constexpr uint64_t kSmall = 0, kMedium = 1, kWide = 2;
