@@ -39,8 +39,13 @@ void SetUpBatch(const SnappedTriangle* HWY_RESTRICT t, const float* HWY_RESTRICT
   constexpr bool kOwn = P::kDepth && !P::kCorners;
   b.size = 0;
   size_t i = 0;
-  for (; i + kLanes <= size; i += kLanes)
+  for (; i + kLanes <= size; i += kLanes) {
+    if (!b.listed) {
+      PrefetchAhead(t + i);
+      if (kOwn) PrefetchAhead(z + 3 * i, 3);
+    }
     SetUpValues<P::kDepth, P::kCorners>(t + i, kOwn ? z + 3 * i : nullptr, P::kCorners ? corners + i : nullptr, i, view, b);
+  }
   if (i == size) return;
   SnappedTriangle rest[kLanes] = {};  // the others have no area
   float restDepth[3 * kLanes] = {};

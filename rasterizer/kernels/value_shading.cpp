@@ -30,7 +30,7 @@ class Tiles {
   Tiles(const ValueTriangles& triangles, ValueTarget& target, const DrawnArea& area)
       : triangles_(triangles), area_(area), components_(ComponentsOf(triangles)), numbers_(target.primitive.data()), samples_(target.samples()),
         stride_(target.stride()), rows_(std::max(uint32_t{1}, kLeastRows / samples_)),
-        past_(samples_ == 1 && target.primitive.size() * components_.count * sizeof(float) >= kManyBytes) {
+        past_(samples_ == 1 && BytesOf(area) * components_.count >= kManyBytes) {
     for (size_t c = 0; c < components_.count; ++c) to_[c] = target.varyings[c].data();
   }
 
@@ -49,7 +49,12 @@ class Tiles {
   }
 
  private:
-  static constexpr size_t kManyBytes = size_t{1} << 23;  // of varyings: more than a cache should be given for what is written only
+  static constexpr size_t kManyBytes = size_t{1} << 21;  // of varyings: more than a cache should be given for what is written only
+
+  static size_t BytesOf(const DrawnArea& area) {
+    return area.left < area.right && area.top < area.bottom ? sizeof(float) * (area.right - area.left) * (area.bottom - area.top) : 0;
+  }
+
   static constexpr size_t kRowLines = kStripColumns / kLinePixels;
   // kLeastRows: sample rows of a strip, or one of pixels if that is more.
   static constexpr uint32_t kTileRows = 32, kTileColumns = 512, kLeastRows = 4;
@@ -72,16 +77,24 @@ class Tiles {
     return next;
   }
 
+  /// Beyond the plane that does nothing.
+  template <class T>
+  static HWY_INLINE void PrefetchRow(const T* from) {
+    constexpr size_t kLine = 16;  // elements
+    for (size_t x = 0; x < kStripColumns; x += kLine) __builtin_prefetch(from + x);
+  }
+
   HWY_NOINLINE void FindStrip(const StripBox& box, Strip& strip) {
     strip.size = strip.wantedSize = 0, strip.drawn = 0;
     for (uint32_t row = box.top * samples_, k = 0; row < box.bottom * samples_; ++row, ++k) {
       const uint32_t s = k % samples_, y = box.top + k / samples_;
       const uint32_t* HWY_RESTRICT numbers = numbers_ + ElementOf(box.left, row);
-      constexpr size_t kAhead = 2 * kStripColumns, kLine = 16;  // elements; beyond the plane that does nothing
-      for (size_t x = 0; x < kStripColumns; x += kLine) __builtin_prefetch(numbers + kAhead + x);
+      PrefetchRow(numbers + 2 * kStripColumns);
       FindRuns(numbers, s == 0 ? nullptr : numbers - s * stride_, box.below || k >= samples_ ? numbers - samples_ * stride_ : nullptr,
                box.right - box.left, y * double{kSubpixelOne} + kSubpixelOne / 2, strip.rows[k], strip);
       strip.drawn |= strip.rows[k].drawn;
+      if (past_ || strip.rows[k].drawn == 0) continue;
+      for (size_t c = 0; c < components_.count; ++c) PrefetchRow(to_[c] + ElementOf(box.left, row));
     }
     PrefetchWanted(triangles_, strip);
   }
