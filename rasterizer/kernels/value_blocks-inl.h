@@ -101,7 +101,7 @@ HWY_INLINE Extent FindRows(const ValueBatch& b, size_t i, size_t s, double y, si
   for (size_t row = 0; row < kBlock; row += kLanes) {
     const V r = NumbersFrom(d, y + static_cast<double>(row));
     V begin, end;
-    RowBounds(b, i, s, r, begin, end);
+    RowBounds(LinesOf(b, i), OffsetsOf(b, i, s), r, begin, end);
     const M inside = hn::And(hn::Lt(begin, end), hn::And(hn::Ge(r, hn::Set(d, b.firstRow[i])), hn::Lt(r, hn::Set(d, b.endRow[i]))));
     begin = hn::IfThenElse(inside, begin, infinity), end = hn::IfThenElse(inside, end, hn::Neg(infinity));
     hn::Store(begin, d, seen.begin[k] + row);

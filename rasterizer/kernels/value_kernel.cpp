@@ -16,66 +16,116 @@ HWY_BEFORE_NAMESPACE();
 namespace rasterdiff::rasterizer {
 namespace HWY_NAMESPACE {
 
+/// Copies of triangles `places` [0, size) with what they carry, and fetches those that come next.
+struct GatheredBatch {
+  SnappedTriangle positions[ValueBatch::kSize];
+  float depth[3 * ValueBatch::kSize];
+
+  HWY_INLINE void Gather(const ValueTriangles& triangles, const uint32_t* HWY_RESTRICT places, size_t size, size_t left) {
+    for (size_t k = 0; k < size; ++k) {
+      const size_t t = places[k], next = places[std::min(k + ValueBatch::kSize, left - 1)];
+      __builtin_prefetch(&triangles.positions[next]);
+      positions[k] = triangles.positions[t];
+      if (triangles.depth.empty()) continue;
+      __builtin_prefetch(triangles.depth.data() + 3 * next);
+      std::copy_n(triangles.depth.data() + 3 * t, 3, depth + 3 * k);
+    }
+  }
+};
+
 template <class P>
-void SetUpBatch(const ValueTriangles& triangles, size_t first, size_t size, const ValueView& view, ValueBatch& b) {
-  const SnappedTriangle* HWY_RESTRICT t = triangles.positions.data() + first;
-  const float* HWY_RESTRICT z = P::kDepth && !P::kCorners ? triangles.depth.data() + 3 * first : nullptr;
-  const DepthCorners* HWY_RESTRICT corners = P::kCorners ? triangles.corners.data() + first : nullptr;
+void SetUpBatch(const SnappedTriangle* HWY_RESTRICT t, const float* HWY_RESTRICT z, const DepthCorners* HWY_RESTRICT corners, size_t size,
+                const ValueView& view, ValueBatch& b) {
+  constexpr bool kOwn = P::kDepth && !P::kCorners;
   b.size = 0;
   size_t i = 0;
-  for (; i + kLanes <= size; i += kLanes)
-    SetUpValues<P::kDepth, P::kCorners>(t + i, z == nullptr ? nullptr : z + 3 * i, P::kCorners ? corners + i : nullptr, i, view, b);
+  for (; i + kLanes <= size; i += kLanes) {
+    if (!b.listed) {
+      PrefetchAhead(t + i);
+      if (kOwn) PrefetchAhead(z + 3 * i, 3);
+    }
+    SetUpValues<P::kDepth, P::kCorners>(t + i, kOwn ? z + 3 * i : nullptr, P::kCorners ? corners + i : nullptr, i, view, b);
+  }
   if (i == size) return;
   SnappedTriangle rest[kLanes] = {};  // the others have no area
   float restDepth[3 * kLanes] = {};
   std::copy(t + i, t + size, rest);
-  if (z != nullptr) std::copy(z + 3 * i, z + 3 * size, restDepth);
+  if (kOwn) std::copy(z + 3 * i, z + 3 * size, restDepth);
   DepthCorners restCorners[P::kCorners ? kLanes : 1] = {};
   if (P::kCorners) std::copy(corners + i, corners + size, restCorners);
   SetUpValues<P::kDepth, P::kCorners>(rest, restDepth, restCorners, i, view, b);
 }
 
+/// Sets up triangles [first, first + size) of the list.
 template <class P>
-DrawnArea DrawAll(const ValueTriangles& triangles, const ValueView& view) {
+HWY_NOINLINE void SetUpListed(const ValueTriangles& triangles, const DrawnList& list, size_t first, size_t size, const ValueView& view, GatheredBatch& gathered,
+                 ValueBatch& b) {
+  constexpr bool kOwn = P::kDepth && !P::kCorners;
+  b.listed = list.places != nullptr;
+  if (b.listed) {
+    gathered.Gather(triangles, list.places + first, size, list.size - first);
+    for (size_t k = 0; k < size; ++k) b.triangles[k] = list.places[first + k];
+    SetUpBatch<P>(gathered.positions, kOwn ? gathered.depth : nullptr, nullptr, size, view, b);
+    return;
+  }
+  b.triangles[0] = static_cast<uint32_t>(first);
+  SetUpBatch<P>(triangles.positions.data() + first, kOwn ? triangles.depth.data() + 3 * first : nullptr,
+                P::kCorners ? triangles.corners.data() + first : nullptr, size, view, b);
+}
+
+/// Draws place `i`, which is not small or beyond the fast range. A function of its own, for the sake of the loop that calls it.
+template <class P>
+HWY_NOINLINE void DrawOther(const ValueTriangles& triangles, const ValueView& view, const ValueBatch& b, size_t i, Farthest& farthest) {
+  const uint32_t triangle = b.listed ? b.triangles[i] : b.triangles[0] + static_cast<uint32_t>(i), number = view.before + 1 + triangle;
+  if (b.far[i] != 0) {
+    drawFarTriangle(triangles, triangle, view);
+  } else if (b.way[i] == kMedium) {
+    DrawMedium<P>(view, b, i, farthest, number);
+  } else {
+    DrawLarge<P>(view, b, i, farthest, number);
+  }
+}
+
+template <class P>
+DrawnArea DrawAll(const ValueTriangles& triangles, const DrawnList& list, const ValueView& view) {
   ValueBatch b;
+  GatheredBatch gathered;
   Chunks chunks;
   Farthest farthest(view);
-  for (size_t first = 0; first < triangles.positions.size(); first += ValueBatch::kSize) {
-    const uint32_t number = view.before + static_cast<uint32_t>(first + 1);
-    SetUpBatch<P>(triangles, first, std::min(ValueBatch::kSize, triangles.positions.size() - first), view, b);
+  for (size_t first = 0; first < list.size; first += ValueBatch::kSize) {
+    SetUpListed<P>(triangles, list, first, std::min(ValueBatch::kSize, list.size - first), view, gathered, b);
     for (size_t k = 0; k < b.size; ++k) {
       const size_t i = b.places[k];
-      const auto itsNumber = number + static_cast<uint32_t>(i);
       const uint64_t way = P::kDepth ? b.way[i] : kSmall;
       if (HWY_LIKELY(b.far[i] == 0 && way == kSmall)) {
-        FindChunks<P>(view, b, i, number, chunks);
+        if (HWY_LIKELY(b.endRow[i] - b.firstRow[i] < kHighRows)) {
+          FindChunks<P, false>(view, b, i, chunks);
+        } else if (view.samples == 1) {
+          FindChunksOfHigh<P, true>(view, b, i, chunks);
+        } else {
+          FindChunksOfHigh<P, false>(view, b, i, chunks);
+        }
         continue;
       }
-      DrawChunks<P>(view, b, chunks, number);
-      if (b.far[i] != 0) {
-        drawFarTriangle(triangles, first + i, view);
-      } else if (way == kMedium) {
-        DrawMedium<P>(view, b, i, farthest, itsNumber);
-      } else {
-        DrawLarge<P>(view, b, i, farthest, itsNumber);
-      }
+      DrawChunks<P>(view, b, chunks);
+      DrawOther<P>(triangles, view, b, i, farthest);
     }
-    DrawChunks<P>(view, b, chunks, number);
+    DrawChunks<P>(view, b, chunks);
   }
   return AreaOf(b);
 }
 
-DrawnArea DrawPlanes(const ValueTriangles& triangles, const ValueView& view) {
-  if (!triangles.corners.empty()) return DrawAll<Planes<true, true, true, true>>(triangles, view);
+DrawnArea DrawPlanes(const ValueTriangles& triangles, const DrawnList& list, const ValueView& view) {
+  if (!triangles.corners.empty()) return DrawAll<Planes<true, true, true, true>>(triangles, list, view);
   const unsigned which = (view.primitive != nullptr ? 1 : 0) | (view.count != nullptr ? 2 : 0) | (view.depth != nullptr ? 4 : 0);
   switch (which) {
-    case 1: return DrawAll<Planes<true, false, false>>(triangles, view);
-    case 2: return DrawAll<Planes<false, true, false>>(triangles, view);
-    case 3: return DrawAll<Planes<true, true, false>>(triangles, view);
-    case 4: return DrawAll<Planes<false, false, true>>(triangles, view);
-    case 5: return DrawAll<Planes<true, false, true>>(triangles, view);
-    case 6: return DrawAll<Planes<false, true, true>>(triangles, view);
-    case 7: return DrawAll<Planes<true, true, true>>(triangles, view);
+    case 1: return DrawAll<Planes<true, false, false>>(triangles, list, view);
+    case 2: return DrawAll<Planes<false, true, false>>(triangles, list, view);
+    case 3: return DrawAll<Planes<true, true, false>>(triangles, list, view);
+    case 4: return DrawAll<Planes<false, false, true>>(triangles, list, view);
+    case 5: return DrawAll<Planes<true, false, true>>(triangles, list, view);
+    case 6: return DrawAll<Planes<false, true, true>>(triangles, list, view);
+    case 7: return DrawAll<Planes<true, true, true>>(triangles, list, view);
     default: return {};
   }
 }
@@ -88,6 +138,7 @@ HWY_AFTER_NAMESPACE();
 #include <thread>
 #include <vector>
 
+#include "rasterizer/kernels/value_bins.hpp"
 #include "rasterizer/kernels/value_shading.hpp"
 
 namespace rasterdiff::rasterizer {
@@ -120,24 +171,42 @@ uint64_t drawBand(const ValueTriangles& triangles, ValueTarget& target, uint32_t
   if (view.depth != nullptr) view.depth -= above;
   uint64_t met = 0;
   view.met = &met;
-  (void)HWY_DYNAMIC_DISPATCH(DrawPlanes)(triangles, view);
+  (void)HWY_DYNAMIC_DISPATCH(DrawPlanes)(triangles, {nullptr, triangles.positions.size()}, view);
   return met;
 }
 
+namespace {
+
+/// Draws and shades rows [firstRow, endRow).
+void drawListed(const ValueTriangles& triangles, const DrawnList& list, ValueTarget& target, uint32_t firstRow, uint32_t endRow) {
+  ValueView view = valueView(target, firstRow, endRow);
+  view.shaded = !target.varyings.empty();
+  const DrawnArea area = HWY_DYNAMIC_DISPATCH(DrawPlanes)(triangles, list, view);
+  if (!target.varyings.empty()) shadeArea(triangles, target, area);
+}
+
+/// The same of all triangles, `rows` rows at a time.
+void drawInBands(const ValueTriangles& triangles, ValueTarget& target, uint32_t firstRow, uint32_t endRow, uint32_t rows) {
+  if (rows >= endRow - firstRow) return drawListed(triangles, {nullptr, triangles.positions.size()}, target, firstRow, endRow);
+  const ValueBins bins(triangles.positions, firstRow, endRow, rows);
+  for (size_t k = 0; k < bins.size(); ++k) {
+    const uint32_t top = firstRow + static_cast<uint32_t>(k) * rows;
+    drawListed(triangles, bins.of(k), target, top, std::min(top + rows, endRow));
+  }
+}
+
+}  // namespace
+
 void drawValues(const ValueTriangles& triangles, ValueTarget& target, unsigned threads) {
   constexpr uint32_t kLeastRows = 16;  // of a band
-  const auto drawRows = [&](uint32_t firstRow, uint32_t endRow) {
-    ValueView view = valueView(target, firstRow, endRow);
-    view.shaded = !target.varyings.empty();
-    const DrawnArea area = HWY_DYNAMIC_DISPATCH(DrawPlanes)(triangles, view);
-    if (!target.varyings.empty()) shadeArea(triangles, target, area);
-  };
+  const uint32_t rows = nearRows(triangles, target);
   if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
   threads = std::min(threads, std::max(1u, target.height() / kLeastRows));
+  const auto start = [&](unsigned k) { return k == threads ? target.height() : static_cast<uint32_t>(uint64_t{target.height()} * k / threads) / 8 * 8; };
   std::vector<std::thread> workers;
-  const auto bandStart = [&](unsigned k) { return k == threads ? target.height() : static_cast<uint32_t>(uint64_t{target.height()} * k / threads) / 8 * 8; };
-  for (unsigned k = 1; k < threads; ++k) workers.emplace_back(drawRows, bandStart(k), bandStart(k + 1));
-  drawRows(0, bandStart(1));
+  for (unsigned k = 1; k < threads; ++k)
+    workers.emplace_back([&, k] { drawInBands(triangles, target, start(k), start(k + 1), rows); });
+  drawInBands(triangles, target, 0, start(1), rows);
   for (std::thread& worker : workers) worker.join();
 }
 

@@ -104,11 +104,12 @@ HWY_INLINE hn::Vec<ChunkF> WriteChunk(const ValueView& view, size_t i, hn::Mask<
   return depth;
 }
 
-/// `number` of the triangle at place 0. Lines are fetched some chunks ahead: triangles come from all over the target.
-template <class P>
-HWY_NOINLINE void DrawChunks(const ValueView& target, const ValueBatch& b, Chunks& chunks, uint32_t number) {
+/// kListed: as the batch is. Lines are fetched some chunks ahead: triangles come from all over the target.
+template <class P, bool kListed>
+HWY_INLINE void DrawChunksOf(const ValueView& target, const ValueBatch& b, Chunks& chunks) {
   if (chunks.size == 0) return;
   const ValueView view = target;  // which no store can change
+  const uint32_t firstNumber = view.before + 1 + (kListed ? 0 : b.triangles[0]);
   const auto elementOf = [](uint64_t code) { return code & ((uint64_t{1} << 40) - 1); };
   std::fill_n(chunks.codes + chunks.size, Chunks::kAhead, chunks.codes[0]);
   const auto prefetch = [&](uint64_t code) {
@@ -129,18 +130,46 @@ HWY_NOINLINE void DrawChunks(const ValueView& target, const ValueBatch& b, Chunk
       if (P::kDepth) plane.chunk = chunks.depth[k], plane.gx = b.gx[place];
       if (P::kCorners) plane.a0 = b.a0[place], plane.x0 = b.x0[place], plane.column = chunks.column[k];
       if (P::kDepth) depth = ChunkDepth<P>(plane, first);
-      WriteChunk<P>(view, element + first, ChunkMask(bits >> first), depth, number + static_cast<uint32_t>(place));
+      WriteChunk<P>(view, element + first, ChunkMask(bits >> first), depth,
+                    firstNumber + (kListed ? b.triangles[place] : static_cast<uint32_t>(place)));
     }
   }
   chunks.size = 0;
 }
 
-/// Left and right bounds of rows `r` of place `i`, sample `s`, cut by the box; whole numbers.
-HWY_INLINE void RowBounds(const ValueBatch& b, size_t i, size_t s, V r, V& begin, V& end) {
+template <class P>
+HWY_NOINLINE void DrawChunks(const ValueView& view, const ValueBatch& b, Chunks& chunks) {
+  if (HWY_UNLIKELY(b.listed)) {
+    DrawChunksOf<P, true>(view, b, chunks);
+  } else {
+    DrawChunksOf<P, false>(view, b, chunks);
+  }
+}
+
+/// What bounds a triangle's rows: slopes of its lines and the box; offsets of the lines at one sample.
+struct RowLines {
+  V slope[4], firstColumn, endColumn;
+};
+struct RowOffsets {
+  V of[4];
+};
+
+HWY_INLINE RowLines LinesOf(const ValueBatch& b, size_t i) {
   const D d;
-  const auto line = [&](size_t k) { return hn::MulAdd(hn::Set(d, b.slope[k][i]), r, hn::Set(d, b.offset[s][k][i])); };
-  begin = hn::Round(hn::Max(hn::Max(line(0), line(1)), hn::Set(d, b.firstColumn[i])));
-  end = hn::Round(hn::Min(hn::Min(line(2), line(3)), hn::Set(d, b.endColumn[i])));
+  return {{hn::Set(d, b.slope[0][i]), hn::Set(d, b.slope[1][i]), hn::Set(d, b.slope[2][i]), hn::Set(d, b.slope[3][i])},
+          hn::Set(d, b.firstColumn[i]), hn::Set(d, b.endColumn[i])};
+}
+
+HWY_INLINE RowOffsets OffsetsOf(const ValueBatch& b, size_t i, size_t s) {
+  const D d;
+  return {{hn::Set(d, b.offset[s][0][i]), hn::Set(d, b.offset[s][1][i]), hn::Set(d, b.offset[s][2][i]), hn::Set(d, b.offset[s][3][i])}};
+}
+
+/// Left and right bounds of rows `r`, cut by the box; whole numbers.
+HWY_INLINE void RowBounds(const RowLines& lines, const RowOffsets& offsets, V r, V& begin, V& end) {
+  const auto line = [&](size_t k) { return hn::MulAdd(lines.slope[k], r, offsets.of[k]); };
+  begin = hn::Round(hn::Max(hn::Max(line(0), line(1)), lines.firstColumn));
+  end = hn::Round(hn::Min(hn::Min(line(2), line(3)), lines.endColumn));
 }
 
 /// Bits [from, to) of eight; both are clamped to [0, 8].
@@ -153,48 +182,71 @@ HWY_INLINE hn::Vec<DU> BitsBetween(V from, V to) {
   return hn::And(hn::AndNot(hn::Shl(ones, bound(to)), hn::Shl(ones, bound(from))), ones);
 }
 
-/// Appends the chunks of place `i`, drawing what does not fit.
-template <class P>
-HWY_INLINE void FindChunks(const ValueView& view, const ValueBatch& b, size_t i, uint32_t number, Chunks& chunks) {
+/// Appends the chunks of place `i`, drawing what does not fit. kOne: one sample a pixel.
+template <class P, bool kOne>
+HWY_INLINE void FindChunks(const ValueView& view, const ValueBatch& b, size_t i, Chunks& chunks) {
   const D d;
   const DU du;
   const V two52 = hn::Set(d, 4503599627370496.0), eight = hn::Set(d, 8);
-  const V endRow = hn::Set(d, b.endRow[i]);
-  const auto low40 = hn::Set(du, (uint64_t{1} << 40) - 1), place = hn::Set(du, uint64_t{i} << 48);
-  const double rowElements = static_cast<double>(view.samples * view.stride);
-  for (double row = b.firstRow[i]; row < b.endRow[i]; row += static_cast<double>(kLanes)) {
+  // A double from 2^52 on is its whole number in the low bits, and an exponent that goes where the place comes.
+  const auto place = hn::Set(du, (uint64_t{i} << 48) - (uint64_t{0x433} << 52)), eightBits = hn::Set(du, uint64_t{0xFF} << 40);
+  const RowLines lines = LinesOf(b, i);
+  RowOffsets offsets = OffsetsOf(b, i, 0);
+  const double firstRow = b.firstRow[i], lastRow = b.endRow[i];
+  const V endRow = hn::Set(d, lastRow), rowElements = hn::Set(d, static_cast<double>(view.samples * view.stride));
+  V gx = hn::Zero(d), gy = gx, a0 = gx;
+  if (P::kDepth) gx = hn::Set(d, b.gx[i]), gy = hn::Set(d, b.gy[i]), a0 = hn::Set(d, b.a0[i]);
+  const double x0 = P::kDepth ? b.x0[i] : 0, y0 = P::kDepth ? b.y0[i] : 0;
+  const size_t samples = kOne ? 1 : view.samples;
+  size_t size = chunks.size;
+  for (double row = firstRow; row < lastRow; row += static_cast<double>(kLanes)) {
     const V r = NumbersFrom(d, row);
-    for (size_t s = 0; s < view.samples; ++s) {
+    for (size_t s = 0; s < samples; ++s) {
+      if (!kOne) offsets = OffsetsOf(b, i, s);
       V begin, end;
-      RowBounds(b, i, s, r, begin, end);
+      RowBounds(lines, offsets, r, begin, end);
       V column = begin;
       M more = hn::And(hn::Lt(begin, end), hn::Lt(r, endRow));
-      const V element = hn::MulAdd(r, hn::Set(d, rowElements), hn::Set(d, static_cast<double>(s * view.stride))) + two52;
+      const V element = hn::MulAdd(r, rowElements, hn::Set(d, static_cast<double>(kOne ? 0 : s * view.stride))) + two52;
+      const double x = view.x[kOne ? 0 : s] / 256, y = view.y[kOne ? 0 : s] / 256;
       V rowDepth = hn::Zero(d);
       if (P::kCorners) {
-        rowDepth = hn::Set(d, b.gy[i]) * ((r + hn::Set(d, view.y[s] / 256)) - hn::Set(d, b.y0[i]));
+        rowDepth = gy * ((r + hn::Set(d, y)) - hn::Set(d, y0));
       } else if (P::kDepth) {
-        rowDepth = hn::Set(d, b.a0[i]) + hn::Set(d, b.gy[i]) * (r + hn::Set(d, view.y[s] / 256 - b.y0[i]));
+        rowDepth = a0 + gy * (r + hn::Set(d, y - y0));
       }
-      const V fromAnchor = hn::Set(d, P::kDepth ? view.x[s] / 256 - (P::kCorners ? 0 : b.x0[i]) : 0);
+      const V fromAnchor = hn::Set(d, P::kDepth ? x - (P::kCorners ? 0 : x0) : 0);
       do {
-        const auto bits = hn::ShiftLeft<40>(BitsBetween(begin - column, end - column));
-        const auto code = hn::Or(hn::Or(hn::And(hn::BitCast(du, element + column), low40), bits), place);
-        size_t size = chunks.size;
+        // Pixels from the chunk's first to the run's end; of lanes without any, anything.
+        const auto pixels = hn::And(hn::BitCast(du, hn::Min(end - column, eight) + two52), hn::Set(du, 15));
+        const auto bits = hn::AndNot(hn::Shl(eightBits, pixels), eightBits);
+        const auto code = hn::Or(hn::BitCast(du, element + column) + place, bits);
+        size_t next = size;
         if (P::kCorners) {
-          Append(hn::BitCast(du, fromAnchor + column), more, reinterpret_cast<uint64_t*>(chunks.column), size);
-          size = chunks.size;
-          Append(hn::BitCast(du, rowDepth), more, reinterpret_cast<uint64_t*>(chunks.depth), size);
+          Append(hn::BitCast(du, fromAnchor + column), more, reinterpret_cast<uint64_t*>(chunks.column), next);
+          next = size;
+          Append(hn::BitCast(du, rowDepth), more, reinterpret_cast<uint64_t*>(chunks.depth), next);
         } else if (P::kDepth) {
-          Append(hn::BitCast(du, rowDepth + hn::Set(d, b.gx[i]) * (fromAnchor + column)), more, reinterpret_cast<uint64_t*>(chunks.depth), size);
+          Append(hn::BitCast(du, rowDepth + gx * (fromAnchor + column)), more, reinterpret_cast<uint64_t*>(chunks.depth), next);
         }
-        Append(code, more, chunks.codes, chunks.size);
-        if (HWY_UNLIKELY(chunks.size > Chunks::kRoom)) DrawChunks<P>(view, b, chunks, number);
+        Append(code, more, chunks.codes, size);
+        if (HWY_UNLIKELY(size > Chunks::kRoom)) {
+          chunks.size = size;
+          DrawChunks<P>(view, b, chunks);
+          size = 0;
+        }
         column = column + eight;
         more = hn::And(more, hn::Lt(column, end));
       } while (!hn::AllFalse(d, more));
     }
   }
+  chunks.size = size;
+}
+
+/// The same of a high triangle: in a function of its own all that its loops read stays in registers.
+template <class P, bool kOne>
+HWY_NOINLINE void FindChunksOfHigh(const ValueView& view, const ValueBatch& b, size_t i, Chunks& chunks) {
+  FindChunks<P, kOne>(view, b, i, chunks);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -35,6 +35,7 @@ namespace HWY_NAMESPACE {
 
 inline constexpr double kWidePixels = 128, kMediumPixels = 16;  // lengths of the longest row
 inline constexpr double kMediumArea = 256;                     // pixels
+inline constexpr double kHighRows = 48;                        // rows of a small one, for a function of its own
 
 /// Which way a triangle is drawn: without a depth test all are small.
 inline constexpr uint64_t kSmall = 0, kMedium = 1, kWide = 2;
@@ -47,6 +48,8 @@ struct ValueBatch {
   // Depth: the plane's anchor (pixels) and gradients (a pixel), the nearest vertex.
   alignas(64) double a0[kSize], x0[kSize], y0[kSize], gx[kSize], gy[kSize], nearest[kSize];
   alignas(64) double firstColumn[kSize], endColumn[kSize], firstRow[kSize], endRow[kSize];  // clipped box
+  bool listed = false;         // triangles are those of a list, otherwise neighbours
+  uint32_t triangles[kSize];  // places in ValueTriangles; of neighbours the first one only
   size_t size = 0;
   uint64_t places[kSize + 8];  // of what is to be drawn, in order
   alignas(64) uint64_t far[kSize];   // ~0: beyond the fast range

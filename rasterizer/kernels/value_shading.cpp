@@ -1,266 +1,205 @@
-// Deferred varyings: a vector of neighbouring samples at a time, each from its own primitive, without any set-up of triangles.
-// Where the weights come from and how exact values are: value_weights-inl.h.
+// Deferred varyings, once for each sample that is left, from its own primitive: tile by tile runs (value_runs-inl.h), edge functions
+// (value_run_edges-inl.h), weights (value_weights-inl.h), values (value_components-inl.h).
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rasterizer/kernels/value_shading.cpp"
 #include "hwy/foreach_target.h"
 // After foreach_target.h:
 #include <algorithm>
+#include <bit>
 #include <cstdint>
-#include <utility>
 
 #include "hwy/highway.h"
+#include "rasterizer/kernels/value_components-inl.h"
+#include "rasterizer/kernels/value_run_edges-inl.h"
 #include "rasterizer/kernels/value_shading.hpp"
-#include "rasterizer/kernels/value_weights-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rasterdiff::rasterizer {
 namespace HWY_NAMESPACE {
 
-inline constexpr size_t kGroup = 4;     // components side by side
-inline constexpr uint32_t kTileColumns = 64;  // pixels, of a tile
-
-/// The components' kinds, and what follows from them.
-struct Components {
-  size_t count = 0;
-  const ValueKind* kinds = nullptr;
-  bool noperspective = false, perspective = false;        // some component is
-  bool all[kMaxValueComponents / kGroup] = {};            // a group's components all have perspective
-  alignas(32) double perspectives[kMaxValueComponents] = {}, flats[kMaxValueComponents] = {};  // 1 for those
+/// Some pixels whose runs are found together.
+struct StripBox {
+  uint32_t left = 0, right = 0, top = 0, bottom = 0;
+  bool below = false;  // in the same tile there are rows above
 };
 
-Components ComponentsOf(const ValueTriangles& triangles) {
-  Components c;
-  c.count = triangles.kinds.size(), c.kinds = triangles.kinds.data();
-  std::fill(std::begin(c.all), std::end(c.all), true);
-  for (size_t i = 0; i < c.count; ++i) {
-    c.noperspective |= c.kinds[i] == ValueKind::Noperspective;
-    c.perspective |= c.kinds[i] == ValueKind::Perspective;
-    c.all[i / kGroup] &= c.kinds[i] == ValueKind::Perspective;
-    c.perspectives[i] = c.kinds[i] == ValueKind::Perspective ? 1 : 0;
-    c.flats[i] = c.kinds[i] == ValueKind::Flat ? 1 : 0;
+/// Tile by tile, for the sake of caches: a tile's rows have much the same triangles. In a tile strip by strip, to the right first; what the
+/// next one wants is fetched before one is shaded.
+class Tiles {
+ public:
+  Tiles(const ValueTriangles& triangles, ValueTarget& target, const DrawnArea& area)
+      : triangles_(triangles), area_(area), components_(ComponentsOf(triangles)), numbers_(target.primitive.data()), samples_(target.samples()),
+        stride_(target.stride()), rows_(std::max(uint32_t{1}, kLeastRows / samples_)),
+        past_(samples_ == 1 && BytesOf(area) * components_.count >= kManyBytes) {
+    for (size_t c = 0; c < components_.count; ++c) to_[c] = target.varyings[c].data();
   }
-  return c;
-}
 
-/// Weights of a vector of pixels by kind; only those that some component needs are ever set.
-struct alignas(64) WeightLanes {
-  double noperspective[3][kShadeLanes] = {}, perspective[3][kShadeLanes] = {};
-};
-
-/// Where components go: their planes, from the vector's first pixel on; zero where nothing is drawn.
-struct Outputs {
-  float* const* to;
-  size_t element;
-  hn::Mask<ShadeF> drawn;
-
-  HWY_INLINE void Put(size_t component, hn::Vec<ShadeF> value) const {
-    hn::StoreU(hn::IfThenElseZero(drawn, value), ShadeF(), to[component] + element);
-  }
-};
-
-/// All pixels have triangle `t`.
-HWY_INLINE void ShadeOne(const ValueTriangles& triangles, size_t t, const Components& components, const WeightLanes& weights, const Outputs& out) {
-  const ShadeD d;
-  const size_t n = components.count;
-  const float* HWY_RESTRICT v = triangles.values.data() + 3 * n * t;
-  for (size_t c = 0; c < n; ++c) {
-    if (components.kinds[c] == ValueKind::Flat) {
-      out.Put(c, hn::Set(ShadeF(), v[c]));
-      continue;
+  void Shade() {
+    StripBox box = First(area_.left / kStripColumns * kStripColumns, area_.top);
+    if (area_.left >= area_.right || area_.top >= area_.bottom) return;
+    FindStrip(box, strips_[0]);
+    for (uint32_t k = 0;; k ^= 1) {
+      const StripBox next = Next(box);
+      const bool last = next.top >= area_.bottom;
+      if (!last) FindStrip(next, strips_[k ^ 1]);
+      if (strips_[k].drawn != 0) ShadeStrip(box, strips_[k]);
+      if (last) return;
+      box = next;
     }
-    const auto& w = components.kinds[c] == ValueKind::Perspective ? weights.perspective : weights.noperspective;
-    const auto value = [&](size_t vertex) { return hn::Set(d, double{v[vertex * n + c]}); };
-    out.Put(c, hn::DemoteTo(ShadeF(), hn::Load(d, w[0]) * value(0) + hn::Load(d, w[1]) * value(1) + hn::Load(d, w[2]) * value(2)));
   }
-}
 
-#if HWY_TARGET <= HWY_AVX2
-using GroupD = hn::CappedTag<double, kGroup>;
-using GroupF = hn::CappedTag<float, kGroup>;
-using GroupV = hn::Vec<GroupF>;
+ private:
+  static constexpr size_t kManyBytes = size_t{1} << 21;  // of varyings: more than a cache should be given for what is written only
 
-/// Four components of one pixel. Beyond the last component nothing is read.
-template <bool kAllPerspective, bool kFull>
-HWY_INLINE GroupV ShadeGroup(const float* HWY_RESTRICT v, size_t first, const Components& components, const WeightLanes& weights, size_t lane) {
-  const GroupD d;
-  const GroupF f;
-  const size_t n = components.count;
-  const auto value = [&](size_t vertex) {
-    if (kFull) return hn::PromoteTo(d, hn::LoadU(f, v + vertex * n));
-    return hn::PromoteTo(d, hn::MaskedLoad(hn::FirstN(f, n - first), f, v + vertex * n));
-  };
-  const auto is = [&](const double* kind) { return hn::Gt(hn::Load(d, kind + first), hn::Zero(d)); };
-  const auto weight = [&](size_t i) {
-    const auto perspective = hn::Set(d, weights.perspective[i][lane]);
-    return kAllPerspective ? perspective : hn::IfThenElse(is(components.perspectives), perspective, hn::Set(d, weights.noperspective[i][lane]));
-  };
-  const auto v0 = value(0), sum = weight(0) * v0 + weight(1) * value(1) + weight(2) * value(2);
-  return hn::DemoteTo(f, kAllPerspective ? sum : hn::IfThenElse(is(components.flats), v0, sum));
-}
+  static size_t BytesOf(const DrawnArea& area) {
+    return area.left < area.right && area.top < area.bottom ? sizeof(float) * (area.right - area.left) * (area.bottom - area.top) : 0;
+  }
 
-/// From pixels of four components to components of a vector of pixels.
-HWY_INLINE void PutGroup(const GroupV* pixels, size_t first, size_t count, const Outputs& out) {
-  const ShadeF f;
-  const hn::Repartition<double, ShadeF> pairs;
-  const auto row = [&](size_t k) {
-#if HWY_TARGET <= HWY_AVX3
-    return hn::Combine(f, pixels[k + kGroup], pixels[k]);
-#else
-    return pixels[k];
-#endif
-  };
-  const auto two = [&](auto v) { return hn::BitCast(pairs, v); };
-  const auto row0 = row(0), row1 = row(1), row2 = row(2), row3 = row(3);
-  const auto low01 = two(hn::InterleaveLower(f, row0, row1)), low23 = two(hn::InterleaveLower(f, row2, row3));
-  const auto high01 = two(hn::InterleaveUpper(f, row0, row1)), high23 = two(hn::InterleaveUpper(f, row2, row3));
-  out.Put(first, hn::BitCast(f, hn::InterleaveLower(pairs, low01, low23)));
-  if (count > 1) out.Put(first + 1, hn::BitCast(f, hn::InterleaveUpper(pairs, low01, low23)));
-  if (count > 2) out.Put(first + 2, hn::BitCast(f, hn::InterleaveLower(pairs, high01, high23)));
-  if (count > 3) out.Put(first + 3, hn::BitCast(f, hn::InterleaveUpper(pairs, high01, high23)));
-}
+  static constexpr size_t kRowLines = kStripColumns / kLinePixels;
+  // kLeastRows: sample rows of a strip, or one of pixels if that is more.
+  static constexpr uint32_t kTileRows = 32, kTileColumns = 512, kLeastRows = 4;
 
-template <bool kAllPerspective, bool kFull, size_t... kLane>
-HWY_INLINE void ShadeLanes(const float* HWY_RESTRICT values, const Places& places, size_t first, const Components& components,
-                           const WeightLanes& weights, const Outputs& out, std::index_sequence<kLane...>) {
-  const size_t each = 3 * components.count;
-  const GroupV pixels[] = {ShadeGroup<kAllPerspective, kFull>(values + each * places.of[kLane] + first, first, components, weights, kLane)...};
-  PutGroup(pixels, first, kFull ? kGroup : components.count - first, out);
-}
+  [[nodiscard]] size_t ElementOf(uint32_t x, uint32_t row) const { return size_t{row} * stride_ + x; }
 
-/// A function of its own: a compiler that sees the loop over groups keeps all weights in registers, of which there are too few.
-template <bool kAllPerspective, bool kFull>
-HWY_NOINLINE void ShadeGroups(const float* HWY_RESTRICT values, const Places& places, size_t first, const Components& components,
-                              const WeightLanes& weights, const Outputs& out) {
-  ShadeLanes<kAllPerspective, kFull>(values, places, first, components, weights, out, std::make_index_sequence<kShadeLanes>());
-}
+  [[nodiscard]] StripBox First(uint32_t left, uint32_t top) const {
+    return {left, std::min(left + kStripColumns, area_.right), top, std::min(top + rows_, area_.bottom), false};
+  }
 
-/// Each pixel has its own triangle.
-HWY_INLINE void ShadeMany(const ValueTriangles& triangles, const Places& places, const Components& components,
-                          const WeightLanes& weights, const Outputs& out) {
-  const float* HWY_RESTRICT values = triangles.values.data();
-  for (size_t first = 0; first < components.count; first += kGroup) {
-    if (components.count - first < kGroup) {
-      ShadeGroups<false, false>(values, places, first, components, weights, out);
-    } else if (components.all[first / kGroup]) {
-      ShadeGroups<true, true>(values, places, first, components, weights, out);
+  /// Behind the last one it begins below the area.
+  [[nodiscard]] StripBox Next(const StripBox& box) const {
+    const uint32_t start = area_.left / kStripColumns * kStripColumns, tileLeft = box.left - (box.left - start) % kTileColumns;
+    const uint32_t tileTop = box.top - (box.top - area_.top) % kTileRows;
+    StripBox next = First(box.left + kStripColumns, box.top);
+    if (next.left >= std::min(tileLeft + kTileColumns, area_.right)) next = First(tileLeft, box.bottom);
+    if (next.top >= std::min(tileTop + kTileRows, area_.bottom)) next = First(tileLeft + kTileColumns, tileTop);
+    if (next.left >= area_.right) next = First(start, tileTop + kTileRows);
+    next.below = (next.top - area_.top) % kTileRows != 0;
+    return next;
+  }
+
+  /// Beyond the plane that does nothing.
+  template <class T>
+  static HWY_INLINE void PrefetchRow(const T* from) {
+    constexpr size_t kLine = 16;  // elements
+    for (size_t x = 0; x < kStripColumns; x += kLine) __builtin_prefetch(from + x);
+  }
+
+  HWY_NOINLINE void FindStrip(const StripBox& box, Strip& strip) {
+    strip.size = strip.wantedSize = 0, strip.drawn = 0;
+    for (uint32_t row = box.top * samples_, k = 0; row < box.bottom * samples_; ++row, ++k) {
+      const uint32_t s = k % samples_, y = box.top + k / samples_;
+      const uint32_t* HWY_RESTRICT numbers = numbers_ + ElementOf(box.left, row);
+      PrefetchRow(numbers + 2 * kStripColumns);
+      FindRuns(numbers, s == 0 ? nullptr : numbers - s * stride_, box.below || k >= samples_ ? numbers - samples_ * stride_ : nullptr,
+               box.right - box.left, y * double{kSubpixelOne} + kSubpixelOne / 2, strip.rows[k], strip);
+      strip.drawn |= strip.rows[k].drawn;
+      if (past_ || strip.rows[k].drawn == 0) continue;
+      for (size_t c = 0; c < components_.count; ++c) PrefetchRow(to_[c] + ElementOf(box.left, row));
+    }
+    PrefetchWanted(triangles_, strip);
+  }
+
+  void ShadeStrip(const StripBox& box, Strip& strip) {
+    SetUpRuns(triangles_, components_.perspective, box.left * double{kSubpixelOne} + kSubpixelOne / 2, strip, edges_);
+    FindWeights(box, strip);
+    if (past_) {
+      FindValues<true>(box, strip);
     } else {
-      ShadeGroups<false, true>(values, places, first, components, weights, out);
+      FindValues<false>(box, strip);
     }
   }
-}
+
+  /// Before values are found: from a pixel's number to its values it is so long a way that a processor would look ahead no farther
+  /// than the next line.
+  HWY_NOINLINE void FindWeights(const StripBox& box, const Strip& strip) {
+    const ShadeD d;
+    const ShadeU u;
+    constexpr uint64_t kBits = (1u << kShadeLanes) - 1, kLineBits = (1u << kLinePixels) - 1;
+    const auto each = static_cast<uint32_t>(3 * components_.count);
+    for (uint32_t row = box.top * samples_, k = 0; row < box.bottom * samples_; ++row, ++k) {
+      const StripRow& here = strip.rows[k];
+      const uint32_t* HWY_RESTRICT numbers = numbers_ + ElementOf(box.left, row);
+      size_t run = here.firstRun;
+      const uint32_t end = (box.right - box.left + kLinePixels - 1) / kLinePixels * kLinePixels;
+      for (uint32_t x = 0; x < end; x += kShadeLanes) {
+        const uint64_t starts = here.starts >> x & kBits;
+        const Spread spread(starts, run);
+        run += static_cast<size_t>(std::popcount(starts));
+        if ((here.drawn >> x / kLinePixels * kLinePixels & kLineBits) == 0) continue;
+        LineWeights& weights = weights_[k * kRowLines + x / kLinePixels];
+        const size_t part = x % kLinePixels;
+        // Nobody's pixels take any triangle; behind the target's columns they are nobody's.
+        const auto place = hn::Max(hn::LoadU(u, numbers + x), hn::Set(u, 1)) - hn::Set(u, 1);
+        PutProducts(place, each, weights.values + part);
+        PerVertex b = EdgeFunctions(edges_, spread, (hn::Iota(d, 0) + hn::Set(d, x)) * hn::Set(d, kSubpixelOne));
+        if (HWY_UNLIKELY(area_.far)) {
+          const auto centre = [](uint32_t pixel) { return static_cast<int32_t>(pixel) * kSubpixelOne + kSubpixelOne / 2; };
+          b = FarEdgeFunctions(triangles_, numbers + x, {centre(box.left + x), centre(box.top + k / samples_)});
+        }
+        const auto put = [&](const PerVertex& w, double(*to)[kLinePixels]) {
+          for (size_t i = 0; i < 3; ++i) hn::Store(w.v[i], d, to[i] + part);
+        };
+        if (components_.noperspective) put(WeightsOf(b.v[0], b.v[1], b.v[2]), weights.noperspective);
+        if (components_.perspective)
+          put(WeightsOf(b.v[0] * spread.Of(edges_.r[0]), b.v[1] * spread.Of(edges_.r[1]), b.v[2] * spread.Of(edges_.r[2])), weights.perspective);
+      }
+    }
+  }
+
+  static HWY_INLINE void PutProducts(hn::Vec<ShadeU> place, uint32_t each, size_t* HWY_RESTRICT to) {
+#if HWY_TARGET <= HWY_AVX3
+    _mm512_storeu_si512(to, _mm512_mul_epu32(_mm512_cvtepu32_epi64(place.raw), _mm512_set1_epi64(each)));
 #else
-HWY_INLINE void ShadeMany(const ValueTriangles& triangles, const Places& places, const Components& components,
-                          const WeightLanes& weights, const Outputs& out) {
-  const ShadeF f;
-  const size_t n = components.count;
-  for (size_t c = 0; c < n; ++c) {
-    const auto& w = components.kinds[c] == ValueKind::Perspective ? weights.perspective : weights.noperspective;
-    alignas(32) float pixels[kShadeLanes];
-    for (size_t lane = 0; lane < kShadeLanes; ++lane) {
-      const float* v = triangles.values.data() + 3 * n * places.of[lane] + c;
-      const double sum = w[0][lane] * double{v[0]} + w[1][lane] * double{v[n]} + w[2][lane] * double{v[2 * n]};
-      pixels[lane] = components.kinds[c] == ValueKind::Flat ? v[0] : static_cast<float>(sum);
-    }
-    out.Put(c, hn::Load(f, pixels));
-  }
-}
+    alignas(32) uint32_t places[kShadeLanes];
+    hn::Store(place, ShadeU(), places);
+    for (size_t k = 0; k < kShadeLanes; ++k) to[k] = size_t{places[k]} * each;
 #endif
-
-/// Vectors of a row of a tile. First the weights of all, then the values: from a pixel's number to its values it is so long a
-/// way that a processor would look ahead no farther than the next vector.
-struct TileRow {
-  static constexpr size_t kVectors = kTileColumns / kShadeLanes;
-  enum class What : uint8_t { Nothing, One, Many };
-  What what[kVectors];
-  Places places[kVectors];
-  WeightLanes weights[kVectors];
-};
-
-HWY_INLINE TileRow::What FindWeights(const ValueTriangles& triangles, const uint32_t* HWY_RESTRICT numbers, const Components& components, bool far,
-                                     uint32_t x, uint32_t y, Places& places, WeightLanes& weights) {
-  const ShadeD d;
-  const ShadeU u;
-  const auto number = hn::LoadU(u, numbers);
-  if (hn::AllTrue(u, hn::Eq(number, hn::Zero(u)))) return TileRow::What::Nothing;
-  const SubpixelPosition centre{static_cast<int32_t>(x) * kSubpixelOne + kSubpixelOne / 2, static_cast<int32_t>(y) * kSubpixelOne + kSubpixelOne / 2};
-  const ShadeV px = hn::MulAdd(hn::Iota(d, 0), hn::Set(d, kSubpixelOne), hn::Set(d, centre.x)), py = hn::Set(d, centre.y);
-  const bool one = hn::AllTrue(u, hn::Eq(number, hn::Set(u, numbers[0])));
-  hn::Store(hn::Max(number, hn::Set(u, 1)) - hn::Set(u, 1), u, places.of);  // nobody's pixels take any triangle
-  const Corners3 corners = one ? CornersOfOne(triangles, places.of[0], components.perspective, px, py)
-                               : CornersOfMany(triangles, places, components.perspective, px, py);
-  const PerVertex b = HWY_UNLIKELY(far) ? FarEdgeFunctions(triangles, places, centre) : EdgeFunctions(corners);
-  const auto put = [&](const PerVertex& w, double(*to)[kShadeLanes]) {
-    for (size_t i = 0; i < 3; ++i) hn::Store(w.v[i], d, to[i]);
-  };
-  if (components.noperspective) put(WeightsOf(b.v[0], b.v[1], b.v[2]), weights.noperspective);
-  if (components.perspective) put(WeightsOf(b.v[0] * corners.r.v[0], b.v[1] * corners.r.v[1], b.v[2] * corners.r.v[2]), weights.perspective);
-  return one ? TileRow::What::One : TileRow::What::Many;
-}
-
-/// Fetches what a row will want of triangles that the row above has not.
-HWY_INLINE void PrefetchRow(const ValueTriangles& triangles, const uint32_t* HWY_RESTRICT numbers, const uint32_t* HWY_RESTRICT above, size_t pixels) {
-  const hn::CappedTag<uint32_t, 8> u;
-  uint32_t found[kTileColumns + 8];
-  size_t size = 0;
-  for (size_t x = 0; x < pixels; x += hn::MaxLanes(u)) {
-    const auto number = hn::LoadU(u, numbers + x);
-    const auto other = hn::Ne(number, hn::LoadU(u, above + x));
-    hn::StoreU(hn::Compress(number, other), u, found + size);
-    size += hn::CountTrue(u, other);
   }
-  const size_t values = 3 * triangles.kinds.size();
-  for (size_t k = 0; k < size; ++k) {
-    const size_t t = std::max(found[k], 1u) - size_t{1};
-    __builtin_prefetch(&triangles.positions[t]);
-    __builtin_prefetch(triangles.values.data() + values * t);
-    __builtin_prefetch(triangles.values.data() + values * (t + 1) - 1);
-    __builtin_prefetch(triangles.reciprocalW.data() + 3 * t);
-  }
-}
 
-/// Fetches a row of a tile of one plane; beyond its end that does nothing.
-template <class T>
-HWY_INLINE void PrefetchPlane(const T* from) {
-  constexpr size_t kLine = 16;  // elements
-  for (size_t k = 0; k < kTileColumns; k += kLine) __builtin_prefetch(from + k);
-}
-
-/// Tile by tile, for the sake of caches: a tile's rows have much the same triangles.
-void Shade(const ValueTriangles& triangles, ValueTarget& target, const DrawnArea& area) {
-  constexpr uint32_t kTileRows = 32, kAhead = 2;
-  const Components components = ComponentsOf(triangles);
-  float* to[kMaxValueComponents] = {};
-  for (size_t c = 0; c < components.count; ++c) to[c] = target.varyings[c].data();
-  const uint32_t* HWY_RESTRICT numbers = target.primitive.data();
-  TileRow row;
-  const auto tile = [&](uint32_t left, uint32_t right, uint32_t top, uint32_t bottom) {
-    for (uint32_t y = top; y < bottom; ++y)
-      for (uint32_t s = 0; s < target.samples(); ++s) {
-        if (y + kAhead < bottom)
-          PrefetchRow(triangles, numbers + target.index(left, y + kAhead, s), numbers + target.index(left, y + kAhead - 1, s), right - left);
-        const size_t next = target.index(left, y, s) + kTileColumns;  // the next tile: no sequence that a processor foresees
-        PrefetchPlane(numbers + next);
-        for (size_t c = 0; c < components.count; ++c) PrefetchPlane(to[c] + next);
-        const size_t first = target.index(left, y, s), vectors = (right - left + kShadeLanes - 1) / kShadeLanes;
-        for (size_t k = 0; k < vectors; ++k)
-          row.what[k] = FindWeights(triangles, numbers + first + k * kShadeLanes, components, area.far, left + static_cast<uint32_t>(k * kShadeLanes), y,
-                                    row.places[k], row.weights[k]);
-        for (size_t k = 0; k < vectors; ++k) {
-          if (row.what[k] == TileRow::What::Nothing) continue;
-          const size_t element = first + k * kShadeLanes;
-          const ShadeU u;
-          const Outputs out{to, element, hn::RebindMask(ShadeF(), hn::Ne(hn::LoadU(u, numbers + element), hn::Zero(u)))};
-          if (row.what[k] == TileRow::What::One) {
-            ShadeOne(triangles, row.places[k].of[0], components, row.weights[k], out);
-          } else {
-            ShadeMany(triangles, row.places[k], components, row.weights[k], out);
-          }
+  template <bool kPast>
+  HWY_NOINLINE void FindValues(const StripBox& box, const Strip& strip) {
+    const LineF f;
+    const hn::RebindToUnsigned<LineF> u;
+    constexpr uint64_t kLineBits = (1u << kLinePixels) - 1;
+    const float* HWY_RESTRICT values = triangles_.values.data();
+    for (uint32_t row = box.top * samples_, k = 0; row < box.bottom * samples_; ++row, ++k) {
+      const StripRow& here = strip.rows[k];
+      const size_t first = ElementOf(box.left, row), toFirstSample = k % samples_ * stride_;
+      for (uint32_t x = 0; x < box.right - box.left; x += kLinePixels) {
+        if ((here.drawn >> x & kLineBits) == 0) continue;
+        const size_t element = first + x;
+        if ((here.same >> x & kLineBits) != 0) {
+          for (size_t c = 0; c < components_.count; ++c) hn::Store(hn::Load(f, to_[c] + element - toFirstSample), f, to_[c] + element);
+          continue;
+        }
+        const LineWeights& weights = weights_[k * kRowLines + x / kLinePixels];
+        const Outputs<kPast> out{to_, element, hn::RebindMask(f, hn::Ne(hn::LoadU(u, numbers_ + element), hn::Zero(u)))};
+        if ((here.starts >> x & kLineBits) <= 1) {
+          ShadeOne(values + weights.values[0], components_, weights, out);
+        } else {
+          ShadeMany(values, components_, weights, out);
         }
       }
-  };
-  for (uint32_t top = area.top; top < area.bottom; top += kTileRows)
-    for (uint32_t left = area.left / kTileColumns * kTileColumns; left < area.right; left += kTileColumns)
-      tile(left, std::min(left + kTileColumns, area.right), top, std::min(top + kTileRows, area.bottom));
+    }
+  }
+
+  const ValueTriangles& triangles_;
+  const DrawnArea area_;
+  const Components components_;
+  const uint32_t* const numbers_;
+  const uint32_t samples_;
+  const size_t stride_;
+  const uint32_t rows_;
+  const bool past_;
+  float* to_[kMaxValueComponents] = {};
+  Strip strips_[2];
+  RunEdges edges_;
+  LineWeights weights_[Strip::kSize / kLinePixels];
+};
+
+void Shade(const ValueTriangles& triangles, ValueTarget& target, const DrawnArea& area) {
+  Tiles(triangles, target, area).Shade();
+  hwy::FlushStream();
 }
 
 }  // namespace HWY_NAMESPACE

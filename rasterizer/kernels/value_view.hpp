@@ -26,6 +26,12 @@ struct ValueView {
 /// Rows [firstRow, endRow) of the target.
 [[nodiscard]] ValueView valueView(ValueTarget& target, uint32_t firstRow, uint32_t endRow);
 
+/// The triangles to draw, in order: `size` places of a list, or if there is no list all of ValueTriangles.
+struct DrawnList {
+  const uint32_t* places = nullptr;
+  size_t size = 0;
+};
+
 /// Pixels left <= x < right, top <= y < bottom that triangles may have drawn; far: some of them are beyond the fast range.
 struct DrawnArea {
   uint32_t left = 0, top = 0, right = 0, bottom = 0;

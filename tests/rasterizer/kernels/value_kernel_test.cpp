@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "rasterizer/kernels/value_bins.hpp"
 #include "rasterizer/kernels/value_oracle.hpp"
 #include "value_support.hpp"
 
@@ -183,6 +184,35 @@ TEST(ValueKernel, HiddenBlocksOfMediumTrianglesChangeNothing) {
       EXPECT_EQ(inBands.differing(apart), 0u) << samples;
     });
   }
+}
+
+/// Of a target so large that it is drawn band by band; drawBand draws it at once.
+TEST(ValueKernel, BandsOfALargeTargetChangeNothing) {
+  constexpr uint32_t kWidth = 1500, kHeight = 1001, kSamples = 4;
+  Prng random(33);
+  std::vector<SnappedTriangle> triangles;
+  for (const auto& family : testing::hardFamilies(kWidth, kHeight))
+    for (int k = 0; k < 20; ++k) triangles.push_back(family.make(random));
+  const ValueLoad load = testing::makeLoad(std::move(triangles), {}, random);
+  auto atOnce = *ValueTarget::create(kWidth, kHeight, kSamples, {true, true, true, 0});
+  ASSERT_LT(nearRows(load.view(), atOnce), kHeight);
+  drawBand(load.view(), atOnce, 0, kHeight, 0);
+  for (const unsigned threads : {1u, 3u}) {
+    auto inBands = *ValueTarget::create(kWidth, kHeight, kSamples, {true, true, true, 0});
+    drawValues(load.view(), inBands, threads);
+    EXPECT_EQ(inBands.differing(atOnce), 0u) << threads;
+  }
+}
+
+TEST(ValueBins, HoldEachTriangleInTheBandsThatItReachesInOrder) {
+  const auto triangle = [](int32_t top, int32_t bottom) { return SnappedTriangle{{SubpixelPosition{0, top}, {256, bottom}, {0, bottom}}}; };
+  const std::vector<SnappedTriangle> triangles{triangle(16 * 256, 17 * 256), triangle(-9000, -1), triangle(-1, 0), triangle(24 * 256 - 1, 40 * 256 - 1),
+                                               triangle(50 * 256, 60 * 256), triangle(-1000000, 1000000)};
+  const ValueBins bins(triangles, 16, 50, 8);  // rows 16, 24, 32, 40, 48
+  ASSERT_EQ(bins.size(), 5u);
+  const std::vector<std::vector<uint32_t>> expected{{0, 3, 5}, {3, 5}, {3, 5}, {5}, {5}};
+  for (size_t band = 0; band < 5; ++band)
+    EXPECT_TRUE(std::ranges::equal(std::span(bins.of(band).places, bins.of(band).size), expected[band])) << band;
 }
 
 TEST(ValueKernel, TheNearerOfTwoTrianglesWinsAndTheFirstOfTwoAlike) {
