@@ -203,7 +203,7 @@ int runVerb(const CheckOptions& options) {
   pool.groupOf = [&](uint32_t job) { return groups.of((*jobs)[job]); };
   const unsigned workers = std::min<unsigned>(pool.workers, static_cast<unsigned>(order.size()));
   const auto settings = [&](uint32_t job) {
-    CheckSettings chosen{pictured.contains(job), std::nullopt, std::max(1U, coresToUse() / workers)};
+    CheckSettings chosen{.pictures = pictured.contains(job), .dump = std::nullopt, .rounds = options.rounds, .threads = std::max(1U, coresToUse() / workers)};
     if (!options.dump.empty()) chosen.dump = options.dump;
     return chosen;
   };

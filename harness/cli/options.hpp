@@ -23,6 +23,7 @@ struct CheckOptions {
   std::string report, json, junit, dump;  ///< paths; empty = not wanted
   uint32_t shard = 1, shards = 1;         ///< 1-based
   uint32_t jobs = 0;                      ///< 0 = one a core
+  uint32_t rounds = 1;                    ///< draws of each scene; times are medians
   std::optional<uint64_t> count;          ///< random primitives of each selected kind
   uint64_t seed = 1;
 };

@@ -35,6 +35,7 @@ Examples:
   rasterdiff check --driver legal:7 --rules spec       is this random legal renderer let through?
   rasterdiff check --driver legal:1..100 --rules spec  are all of these? one summary
   rasterdiff check --driver 'mutant:*'                 which scenes catch which deliberate error? 0: all are caught
+  rasterdiff check 'mesh/*depth*' --rounds 9 --jobs 1   where the time goes once shaders are compiled and memory is warm
   rasterdiff check --shard 2/8 --junit shard2.xml      one of eight machines)";
 
 constexpr const char* kRenderExamples = R"(Writes one PNG (samples averaged) and one .npy (every sample) a plane.
@@ -101,6 +102,8 @@ void addCheck(CLI::App& app, CheckOptions& options) {
           "Only the K-th of N parts of the work")
       ->type_name("K/N");
   verb->add_option("--jobs", options.jobs, "Worker processes (0: one a core)")->check(CLI::Range(0U, 256U));
+  verb->add_option("--rounds", options.rounds, "Draw and compare each scene so many times; times are medians, the rest is the last one's")
+      ->check(CLI::Range(1U, 1000U));
   verb->add_option("--count", options.count,
                    "Random primitives of each kind (random, random-lines, …), shared out over its selected families in batches of 500")
       ->check(CLI::Range(uint64_t{1}, uint64_t{1} << 40));

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <vector>
+
 #include "harness/cli/metered.hpp"
 #include "harness/cli/pool.hpp"
 #include "harness/compare/compare.hpp"
@@ -78,10 +81,43 @@ void conclude(CheckedScene& checked, const Error& error) {
   checked.subjectLost = *verdict != Verdict::Skipped;
 }
 
-/// Everything that can fail, in order; the caller turns the error into a verdict.
-Result<void> drawAndCompare(SceneEntry& entry, const Job& job, Subject& subject, const rasterizer::Rules& rules,
-                            const CheckSettings& settings, const std::function<void(std::string_view)>& entering) {
+/// What came of one round.
+struct Round {
+  Frame reference, actual;
+  SceneResult result;
+  rasterizer::RuleCounts counts;
   Seconds seconds;
+};
+
+/// Everything that can fail, in order; the caller turns the error into a verdict.
+Result<Round> drawAndCompare(const Scene& scene, Subject& subject, const rasterizer::Rules& rules, const CheckSettings& settings,
+                             const std::function<void(std::string_view)>& entering) {
+  Round round;
+  entering(kDriverPhase);
+  MeteredSubject metered(subject);
+  Result<Frame> actual = metered.render(scene);
+  if (!actual) return tl::unexpected(actual.error());
+  round.seconds += metered.seconds();
+  round.actual = std::move(*actual);
+
+  entering("reference");
+  Stopwatch watch;
+  Result<Frame> reference = rasterizer::render(scene, rules, &round.counts, settings.threads);
+  if (!reference) return tl::unexpected(reference.error());
+  round.reference = std::move(*reference);
+  round.seconds.reference = watch.lap();
+
+  entering("compare");
+  Result<SceneResult> result = compare(scene, rules, round.reference, round.actual, settings.threads);
+  if (!result) return tl::unexpected(result.error());
+  if (Result<void> judged = judgeJointly(scene, rules, round.reference, round.actual, *result); !judged) return tl::unexpected(judged.error());
+  round.result = std::move(*result);
+  round.seconds.compare = watch.lap();
+  return round;
+}
+
+Result<void> check(SceneEntry& entry, const Job& job, Subject& subject, const rasterizer::Rules& rules, const CheckSettings& settings,
+                   const std::function<void(std::string_view)>& entering) {
   Stopwatch watch;
   entering("scene");
   const Result<Scene> scene = drawable(job);
@@ -90,38 +126,32 @@ Result<void> drawAndCompare(SceneEntry& entry, const Job& job, Subject& subject,
   entry.height = scene->target.height;
   entry.samplesPerPixel = scene->target.samples;
   entry.primitives = primitiveCount(*scene);
-  seconds.setUp = watch.lap();
+  const double setUp = watch.lap();
 
-  entering(kDriverPhase);
-  MeteredSubject metered(subject);
-  const Result<Frame> actual = metered.render(*scene);
-  if (!actual) return tl::unexpected(actual.error());
-  seconds += metered.seconds();
-
-  entering("reference");
-  rasterizer::RuleCounts counts;
-  watch.lap();
-  const Result<Frame> reference = rasterizer::render(*scene, rules, &counts, settings.threads);
-  if (!reference) return tl::unexpected(reference.error());
-  seconds.reference = watch.lap();
-
-  entering("compare");
-  Result<SceneResult> result = compare(*scene, rules, *reference, *actual, settings.threads);
-  if (!result) return tl::unexpected(result.error());
-  if (Result<void> judged = judgeJointly(*scene, rules, *reference, *actual, *result); !judged) return judged;
-  entry.result = std::move(*result);
+  std::vector<Seconds> rounds;
+  std::optional<Round> last;
+  while (rounds.size() < settings.rounds) {
+    last.reset();  // its memory is the next one's
+    Result<Round> round = drawAndCompare(*scene, subject, rules, settings, entering);
+    if (!round) return tl::unexpected(round.error());
+    rounds.push_back(round->seconds);
+    last = std::move(*round);
+  }
+  Seconds seconds = medianOf(rounds);
+  seconds.setUp = setUp;
+  entry.result = std::move(last->result);
   entry.result.id = job.id;
   for (const rasterizer::RuleInfo& rule : rasterizer::countedRules()) {
-    if (counts[rule.rule] > 0) entry.result.ruleCoverage[std::string(rule.id)] += counts[rule.rule];
+    if (last->counts[rule.rule] > 0) entry.result.ruleCoverage[std::string(rule.id)] += last->counts[rule.rule];
   }
-  seconds.compare = watch.lap();
 
   entering("report");
+  watch.lap();
   if (settings.dump) {
-    if (Result<void> dumped = dump(*settings.dump, job, *reference, *actual); !dumped) return dumped;
+    if (Result<void> dumped = dump(*settings.dump, job, last->reference, last->actual); !dumped) return dumped;
   }
   if (settings.pictures) {
-    Result<Pictures> pictures = picturesOf(*scene, rules, *reference, *actual, entry.result);
+    Result<Pictures> pictures = picturesOf(*scene, rules, last->reference, last->actual, entry.result);
     if (!pictures) return tl::unexpected(pictures.error());
     entry.pictures = std::move(*pictures);
   }
@@ -146,7 +176,7 @@ CheckedScene checkScene(const Job& job, Subject& subject, const rasterizer::Rule
                         const CheckSettings& settings, const std::function<void(std::string_view)>& entering) {
   CheckedScene checked{entryOf(job), false};
   const size_t messagesBefore = subject.validationMessages().size();
-  if (const Result<void> drawn = drawAndCompare(checked.entry, job, subject, rules, settings, entering); !drawn) {
+  if (const Result<void> drawn = check(checked.entry, job, subject, rules, settings, entering); !drawn) {
     conclude(checked, drawn.error());
   }
   const std::vector<std::string> messages = subject.validationMessages();

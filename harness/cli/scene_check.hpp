@@ -16,6 +16,7 @@ namespace rasterdiff::harness::cli {
 struct CheckSettings {
   bool pictures = false;
   std::optional<std::filesystem::path> dump;  ///< folder for both sides' planes
+  uint32_t rounds = 1;                        ///< draws and comparisons of each scene, whose median times are told
   unsigned threads = 1;                       ///< of the reference and of the comparison
 };
 

@@ -1,6 +1,8 @@
 // Where the time of a scene, or of many, went. All of it is wall-clock time of the process that did the work.
 #pragma once
 
+#include <span>
+
 namespace rasterdiff::harness {
 
 /// The parts of a driver's render(); a renderer that is no device only draws.
@@ -32,6 +34,9 @@ inline Seconds& operator+=(Seconds& sum, const Seconds& more) {
   sum.parts.readback += more.parts.readback;
   return sum;
 }
+
+/// Of each part the median; of at least one.
+[[nodiscard]] Seconds medianOf(std::span<const Seconds> rounds);
 
 /// All that the harness does beside the driver's own work, which is drawing and making pipelines.
 [[nodiscard]] inline double ownSeconds(const Seconds& s) {

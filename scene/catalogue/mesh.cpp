@@ -18,7 +18,9 @@ constexpr View kWhole{{0.4, 0.45, 3.6}, {0.0, -0.02, 0.0}, 42, 0.1, 10};
 /// Beside the chest, looking along the flank: the near plane cuts the body, a tenth of it is behind the eye.
 constexpr View kNear{{0.24, 0.08, 0.45}, {-0.71, -0.17, -0.55}, 102, 0.372, 10};
 
-Result<Scene> bunny(const View& view, uint32_t samples) {
+enum class Inputs : uint8_t { None, Normals };
+
+Result<Scene> bunny(const View& view, uint32_t samples, Inputs inputs) {
   constexpr uint32_t kWidth = 1920, kHeight = 1080;
   const Result<std::string> path = findBunny();
   if (!path) return tl::unexpected(path.error());
@@ -32,7 +34,7 @@ Result<Scene> bunny(const View& view, uint32_t samples) {
   Scene scene = target(kWidth, kHeight, samples);
   useDepth(scene);
   const Varying normal{.name = "normal", .components = 3};
-  scene.draws.push_back(meshDraw(*mesh, *projection * *camera, {&normal, 1}));
+  scene.draws.push_back(meshDraw(*mesh, *projection * *camera, {&normal, inputs == Inputs::Normals ? size_t{1} : size_t{0}}));
   return scene;
 }
 
@@ -44,11 +46,15 @@ void addMesh(Entries& entries) {
     const std::string n = samples == 1 ? "-1x" : "-4x";
     family.addFallible("bunny" + n, "the Stanford bunny, 69,666 triangles at 1920 x 1080",
                        {"R1", "R12", "R14", "R15", "R21", "R22", "R38", "R50"},
-                       [samples] { return bunny(kWhole, samples); });
+                       [samples] { return bunny(kWhole, samples, Inputs::Normals); });
     family.addFallible(
         "bunny-near" + n, "the bunny from so near that its triangles cross the near plane and go behind the eye",
-        {"R1", "R3", "R9", "R14", "R15", "R21", "R22", "R38", "R50"}, [samples] { return bunny(kNear, samples); });
+        {"R1", "R3", "R9", "R14", "R15", "R21", "R22", "R38", "R50"}, [samples] { return bunny(kNear, samples, Inputs::Normals); });
   }
+  family.addFallible("bunny-depth-1x", "the bunny with nothing but coverage and depth, which is then all that is drawn, read back and compared",
+                     {"R1", "R12", "R14", "R15", "R22", "R38"}, [] { return bunny(kWhole, 1, Inputs::None); });
+  family.addFallible("bunny-near-depth-1x", "the same from so near that triangles are cut",
+                     {"R1", "R3", "R14", "R15", "R22", "R38"}, [] { return bunny(kNear, 1, Inputs::None); });
 }
 
 }  // namespace rasterdiff::families

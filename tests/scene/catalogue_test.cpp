@@ -103,7 +103,7 @@ TEST(Catalogue, GlobsSelect) {
   EXPECT_EQ(matchCatalogue("*").size(), catalogue().size());
   EXPECT_EQ(matchCatalogue("fill/triangle-?x").size(), 2u);
   EXPECT_EQ(matchCatalogue("mesh/bunny-[14]x").size(), 0u);
-  EXPECT_EQ(matchCatalogue("mesh/*").size(), 4u);
+  EXPECT_EQ(matchCatalogue("mesh/*").size(), 6u);
   EXPECT_EQ(matchCatalogue("*/*-persp").size(), 15u);
   EXPECT_TRUE(matchCatalogue("").empty());
   EXPECT_TRUE(matchCatalogue("fill").empty());
@@ -164,6 +164,7 @@ TEST(Catalogue, TheBunnyIsWhollyInView) {
   EXPECT_TRUE(scene.state.depthTestEnable && scene.state.depthWriteEnable);
   EXPECT_EQ(measure(scene).visible, 69666u);
   EXPECT_EQ(made("mesh/bunny-4x").target.samples, 4u);
+  EXPECT_EQ(needsOf(made("mesh/bunny-depth-1x")).varyings, 0u);
 }
 
 TEST(Catalogue, TheNearBunnyCrossesTheNearPlaneAndReachesBehindTheEye) {
