@@ -28,7 +28,7 @@ double meanArea(std::span<const SnappedTriangle> triangles) {
 // cost up to two thirds of the time. Small triangles pay more for bins, and gain nothing where few lie upon one another.
 uint32_t nearRows(const ValueTriangles& triangles, const ValueTarget& target) {
   constexpr size_t kBandBytes = size_t{2} << 20, kManyBytes = size_t{24} << 20, kSomeBytes = size_t{12} << 20;
-  constexpr double kSmallArea = 100, kFewLayers = 0.5;
+  constexpr double kSmallArea = 100, kFewLayers = 0.4;
   const ValueNeeds& needs = target.needs();
   const size_t rowBytes = sizeof(float) * target.stride() * target.samples() * (size_t{needs.primitive} + size_t{needs.count} + size_t{needs.depth});
   const uint32_t all = (target.height() + 7) / 8 * 8;
