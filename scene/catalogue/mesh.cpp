@@ -18,13 +18,17 @@ constexpr View kWhole{{0.4, 0.45, 3.6}, {0.0, -0.02, 0.0}, 42, 0.1, 10};
 /// Beside the chest, looking along the flank: the near plane cuts the body, a tenth of it is behind the eye.
 constexpr View kNear{{0.24, 0.08, 0.45}, {-0.71, -0.17, -0.55}, 102, 0.372, 10};
 
+/// Read once a process.
+const Result<Mesh>& bunnyMesh() {
+  static const Result<Mesh> mesh = findBunny().and_then([](const std::string& path) { return loadObj(path); });
+  return mesh;
+}
+
 enum class Inputs : uint8_t { None, Normals };
 
 Result<Scene> bunny(const View& view, uint32_t samples, Inputs inputs) {
   constexpr uint32_t kWidth = 1920, kHeight = 1080;
-  const Result<std::string> path = findBunny();
-  if (!path) return tl::unexpected(path.error());
-  const Result<Mesh> mesh = loadObj(*path);
+  const Result<Mesh>& mesh = bunnyMesh();
   if (!mesh) return tl::unexpected(mesh.error());
   const Result<glm::dmat4> camera = lookAt(view.eye, view.target, glm::dvec3(0, 1, 0));
   if (!camera) return tl::unexpected(camera.error());

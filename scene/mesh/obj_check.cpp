@@ -12,21 +12,21 @@
 namespace rasterdiff {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r";
-
 struct Token {
   std::string_view text;
   size_t column = 1;
 };
 
-std::vector<Token> split(std::string_view line) {
-  std::vector<Token> tokens;
-  for (size_t begin = line.find_first_not_of(kBlanks); begin != std::string_view::npos;) {
-    const size_t end = std::min(line.find_first_of(kBlanks, begin), line.size());
-    tokens.push_back({line.substr(begin, end - begin), begin + 1});
-    begin = line.find_first_not_of(kBlanks, end);
+constexpr bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+void split(std::string_view line, std::vector<Token>& tokens) {
+  tokens.clear();
+  const auto end = line.end();
+  for (auto at = std::find_if_not(line.begin(), end, isBlank); at != end; at = std::find_if_not(at, end, isBlank)) {
+    const auto from = at;
+    at = std::find_if(at, end, isBlank);
+    tokens.push_back({std::string_view(from, at), static_cast<size_t>(from - line.begin()) + 1});
   }
-  return tokens;
 }
 
 /// Statements of the format (Wavefront's Advanced Visualizer manual, appendix B1, and two common extensions).
@@ -41,7 +41,8 @@ bool isStatement(std::string_view word) {
 
 bool isFiniteFloat(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
-  const bool plain = !text.empty() && text.find_first_not_of("0123456789.eE+-") == std::string_view::npos;
+  const auto plainCharacter = [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == 'e' || c == 'E' || c == '+' || c == '-'; };
+  const bool plain = !text.empty() && std::ranges::all_of(text, plainCharacter);
   double value = 0;
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
   return plain && code == std::errc() && end == text.data() + text.size() && std::isfinite(static_cast<float>(value));
@@ -53,7 +54,8 @@ class Checker {
 
   Result<void> line(std::string_view text) {
     ++line_;
-    const std::vector<Token> tokens = split(text);
+    split(text, tokens_);
+    const std::vector<Token>& tokens = tokens_;
     if (tokens.empty() || tokens[0].text.starts_with('#')) return {};
     const std::string_view word = tokens[0].text;
     if (!isStatement(word)) {
@@ -161,6 +163,7 @@ class Checker {
 
   const std::string& fileName_;
   std::string kept_;
+  std::vector<Token> tokens_;  // of the line
   size_t line_ = 0;
   int64_t vertices_ = 0, normals_ = 0, faces_ = 0;
   int64_t deferredVertex_ = 0, deferredNormal_ = 0;
