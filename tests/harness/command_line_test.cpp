@@ -58,6 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"TimeoutNotPositive", {"check", "--timeout", "0"}, 2, "--timeout", "rasterdiff check --help"},
         Refused{"TimeoutNoNumber", {"check", "--timeout", "soon"}, 2, "--timeout", "rasterdiff check --help"},
         Refused{"JobsNegative", {"check", "--jobs", "-1"}, 2, "--jobs", "rasterdiff check --help"},
+        Refused{"RoundsZero", {"check", "--rounds", "0"}, 2, "--rounds", "rasterdiff check --help"},
         Refused{"CountWithoutFamily", {"check", "fill/*", "--count", "10"}, 2, "no random family",
                 "rasterdiff check 'random/*' --count 1000000"},
         Refused{"CountZero", {"check", "random/*", "--count", "0"}, 2, "--count", "rasterdiff check --help"},

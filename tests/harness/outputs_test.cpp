@@ -71,6 +71,17 @@ TEST(Json, CountsAddUp) {
   EXPECT_EQ(results.at("totals").at("differing"), differing);
 }
 
+TEST(Json, RoundsChangeNothingButTimes) {
+  const auto withoutTimes = [](nlohmann::json results) {
+    for (auto& scene : results.at("scenes")) scene.erase("seconds");
+    return results.at("scenes");
+  };
+  const std::vector<std::string> scenes{"random/half-*", "depth/*", "--driver", "mutant:depth-undivided"};
+  std::vector<std::string> thrice = scenes;
+  thrice.insert(thrice.end(), {"--rounds", "3"});
+  EXPECT_EQ(withoutTimes(resultsOf(thrice)), withoutTimes(resultsOf(scenes)));
+}
+
 TEST(Json, PartsOfTheDriversTimeAreThoseOfTheWholeCall) {
   const nlohmann::json results = resultsOf({"fill/*", "samples/*", "invariant/indexed"});
   if (results.is_discarded() || results.at("scenes").empty()) GTEST_SKIP() << "no driver";
