@@ -18,7 +18,7 @@ std::string timeText(const Seconds& seconds) {
 
 std::string shareText(const Seconds& seconds) {
   std::string text = fmt::format("All but the driver's drawing and pipelines {}", secondsText(ownSeconds(seconds)));
-  if (seconds.parts.drawing > 0) text += fmt::format(", {:.2f} of its drawing", ownSeconds(seconds) / seconds.parts.drawing);
+  if (seconds.parts.drawing > 0) text += fmt::format(", {:.2f} times its drawing", ownSeconds(seconds) / seconds.parts.drawing);
   return text;
 }
 

@@ -127,7 +127,7 @@ TEST(Time, EveryPartSurvivesTheRecordAndAddsUp) {
 TEST(Time, WhatIsNotTheDriversOwnWorkIsTheHarnesss) {
   const Seconds seconds = everySecond(1);  // one second of the driver's call belongs to none of its parts
   EXPECT_EQ(ownSeconds(seconds), 1 + 2 + (60 - 30 - 20) + 4 + 5);
-  EXPECT_EQ(shareText(seconds), "All but the driver's drawing and pipelines 22.0 s, 0.73 of its drawing");
+  EXPECT_EQ(shareText(seconds), "All but the driver's drawing and pipelines 22.0 s, 0.73 times its drawing");
   EXPECT_EQ(timeText(seconds),
             "driver 60.0 s (drawing 30.0 s, pipelines 20.0 s, upload 6.00 s, readback 3.00 s), reference 2.00 s, compare 4.00 s, "
             "set-up 1.00 s, pictures 5.00 s");
