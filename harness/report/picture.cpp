@@ -104,7 +104,14 @@ std::string primitiveColourText(uint32_t primitive) {
 }
 
 Image primitiveImage(const Frame& frame) {
-  return resolved(frame, [&](size_t sample) { return primitiveColour(frame.primitive.data[sample]); });
+  // Neighbours often have the same primitive, samples of a pixel above all.
+  uint32_t last = 0;
+  Rgb colour;
+  return resolved(frame, [&](size_t sample) {
+    const uint32_t primitive = frame.primitive.data[sample];
+    if (primitive != last) colour = primitiveColour(last = primitive);
+    return colour;
+  });
 }
 
 Image overdrawImage(const Frame& frame) {
@@ -131,7 +138,14 @@ Image varyingImage(const Frame& frame, const VaryingPlane& varying) {
   const Plane<float>& plane = varying.values;
   const auto component = [&](size_t sample, uint32_t c) { return plane.data[sample * plane.components + c]; };
   if (isNormal(varying)) {
-    return resolved(frame, [&](size_t s) { return shaded(component(s, 0), component(s, 1), component(s, 2)); });
+    // Samples of a pixel often have the same normal.
+    std::array<float, 3> last{};
+    Rgb colour = shaded(0, 0, 0);
+    return resolved(frame, [&](size_t s) {
+      const std::array<float, 3> normal{component(s, 0), component(s, 1), component(s, 2)};
+      if (normal != last) colour = shaded(normal[0], normal[1], normal[2]), last = normal;
+      return colour;
+    });
   }
   if (isColour(varying)) {
     return resolved(frame, [&](size_t s) { return Rgb{component(s, 0), component(s, 1), component(s, 2)}; });
