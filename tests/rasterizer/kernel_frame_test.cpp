@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <string>
 
 #include "kernels/every_target.hpp"
 #include "rasterizer/render.hpp"
@@ -117,6 +118,23 @@ TEST(KernelFrame, OfAMeshIsThatOfOneTriangleAfterTheOther) {
     ASSERT_TRUE(served(scene, rules));
     const Frame expected = renderRowByRow(scene, rules).value();
     for (const unsigned threads : {1U, 3U}) expectSame(render(scene, rules, nullptr, threads).value(), expected);
+  }
+}
+
+TEST(KernelFrame, OfNarrowAndLowTargetsIsThatOfRows) {
+  const Rules rules = Rules::profile("lavapipe", Limits{}).value();
+  for (const std::string_view name : {"random/half-1x-w1", "random/half-4x-w1"}) {
+    const Scene made = withInputs(withDepth(withoutInputs(matchCatalogue(std::string(name))[0]->remake(3, 60).value())));
+    for (const uint32_t width : {1U, 2U, 3U, 7U, 8U, 9U, 15U, 16U, 17U, 33U, 65U}) {
+      for (const uint32_t height : {1U, 2U, 5U, 17U}) {
+        SCOPED_TRACE(std::string(name) + " " + std::to_string(width) + " x " + std::to_string(height));
+        Scene scene = made;
+        scene.target.width = width, scene.target.height = height;
+        scene.viewport = {0, 0, static_cast<float>(width), static_cast<float>(height), 0, 1};
+        ASSERT_TRUE(served(scene, rules));
+        expectSame(render(scene, rules).value(), renderRowByRow(scene, rules).value());
+      }
+    }
   }
 }
 
