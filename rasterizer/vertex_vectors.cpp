@@ -8,21 +8,17 @@
 #include <cmath>
 
 #include "hwy/highway.h"
+#include "rasterizer/kernels/span_setup-inl.h"
 #include "rasterizer/vertex_vectors.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace rasterdiff::rasterizer {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
 
-using D = hn::CappedTag<double, 8>;
 using F = hn::Rebind<float, D>;
-using I = hn::Rebind<int32_t, D>;
+using I = DI;
 using U = hn::Rebind<uint32_t, D>;
-using V = hn::Vec<D>;
 using VF = hn::Vec<F>;
-using M = hn::Mask<D>;
-inline constexpr size_t kLanes = hn::MaxLanes(D());
 
 struct ClipVectors {
   VF x, y, z, w;
