@@ -93,15 +93,16 @@ void count(RuleCounts& counts, const BandTally& tally, bool deep) {
 
 std::optional<KernelFrame> KernelFrame::of(const Scene& scene, const Rules& rules, std::span<const SubpixelPosition> pattern) {
   const bool ruled = !rules.open && rules.error == DeliberateError::None && !rules.variation && ownsTopLeft(rules.choices);
-  if (!ruled || !fillsTriangles(scene.state) || !needsNothingElse(scene, needsOf(scene), rules) || !onlyTargetCuts(scene, rules)) return std::nullopt;
+  if (!ruled || !fillsTriangles(scene.state) || !onlyTargetCuts(scene, rules)) return std::nullopt;
+  const SceneNeeds needs = needsOf(scene);
+  if (!needsNothingElse(scene, needs, rules)) return std::nullopt;
   if (cutsByDistance(scene) || !atStandardLocations(scene.target.samples, pattern)) return std::nullopt;
-  return KernelFrame(scene, rules, pattern);
+  return KernelFrame(scene, needs, rules, pattern);
 }
 
 std::optional<Frame> KernelFrame::draw(unsigned threads, RuleCounts* counts) const {
   const bool counted = counts != nullptr;
   const BandRows rows = bandRows(scene_);
-  const SceneNeeds needs = needsOf(scene_);
   std::vector<RuleCounts> decided(threads);
   const KernelGeometry geometry(scene_, rules_, rows, decided);
   if (geometry.folded()) return std::nullopt;
@@ -113,7 +114,7 @@ std::optional<Frame> KernelFrame::draw(unsigned threads, RuleCounts* counts) con
   std::vector<BandTally> tallies(threads);
   inParallel(threads, [&](unsigned thread) {
     std::unique_ptr<KernelInputs> inputs;
-    if (!frame.varyings.empty()) inputs = std::make_unique<KernelInputs>(scene_, needs, rules_, geometry, frame);
+    if (!frame.varyings.empty()) inputs = std::make_unique<KernelInputs>(scene_, needs_, rules_, geometry, frame);
     BandDrawer drawer(geometry, frame, pattern_, clear, rows, std::move(inputs));
     for (uint32_t band = next++; band < bands; band = next++) tallies[thread] += drawer.draw(band, counted);
   });

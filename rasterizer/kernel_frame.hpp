@@ -21,10 +21,11 @@ class KernelFrame {
   [[nodiscard]] std::optional<Frame> draw(unsigned threads, RuleCounts* counts) const;
 
  private:
-  KernelFrame(const Scene& scene, const Rules& rules, std::span<const SubpixelPosition> pattern)
-      : scene_(scene), rules_(rules), pattern_(pattern.begin(), pattern.end()) {}
+  KernelFrame(const Scene& scene, const SceneNeeds& needs, const Rules& rules, std::span<const SubpixelPosition> pattern)
+      : scene_(scene), needs_(needs), rules_(rules), pattern_(pattern.begin(), pattern.end()) {}
 
   const Scene& scene_;
+  const SceneNeeds needs_;
   const Rules& rules_;
   std::vector<SubpixelPosition> pattern_;
 };
