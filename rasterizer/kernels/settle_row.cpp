@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "hwy/highway.h"
+#include "rasterizer/kernels/linear_over-inl.h"
 #include "rasterizer/kernels/round_outward-inl.h"
 #include "rasterizer/kernels/settle_row.hpp"
 #include "rasterizer/kernels/span_setup-inl.h"
@@ -47,23 +48,17 @@ size_t FindRuns(const uint32_t* HWY_RESTRICT numbers, size_t width, uint32_t* HW
   return size;
 }
 
-HWY_INLINE void PutRun(const SettledRun& run, const LinearFunction& p, double offset, double y, const SettledRow& row) {
+HWY_INLINE void PutRun(const SettledRun& run, const LinearFunction& plane, double offset, double y, const SettledRow& row) {
   const D d;
   const F f;
   const U u;
+  const LinearFunction p = plane;  // which no store can change
   const auto primitive = hn::Set(u, run.primitive);
-  const V rise = hn::Set(d, p.dy * (y - p.y0)), a0 = hn::Set(d, p.value), gx = hn::Set(d, p.dx), x0 = hn::Set(d, p.x0), one = hn::Set(d, 1);
-  const V constant = hn::Set(d, p.constantRadius), perX = hn::Set(d, p.radiusPerX), farX = hn::Set(d, p.farX);
-  const V alongY = hn::Set(d, p.radiusPerY * (std::max(p.farY, y) + 1));
   V pixel = NumbersFrom(d, static_cast<double>(run.begin));
   for (size_t i = run.begin; i < run.end; i += kLanes, pixel = pixel + hn::Set(d, kLanes)) {
     hn::StoreU(primitive, u, row.primitive + i);
-    const V x = pixel + hn::Set(d, offset);
-    const V value = (a0 + gx * (x - x0)) + rise;
-    // std::max(farX, x) is farX where x is not larger, and where nobody knows.
-    const V far = hn::IfThenElse(hn::Lt(farX, x), x, farX);
-    const V radius = ((constant + perX * (far + one)) + alongY) + hn::Set(d, kHalfUlp) * hn::Abs(value);
-    const auto [low, high] = RoundedOutward(value - radius, value + radius);
+    const Evaluated depth = Linear<0>(p, {pixel + hn::Set(d, offset), y});
+    const auto [low, high] = RoundedOutward(depth.lo, depth.hi);
     // std::max(high, 0) keeps a zero's sign.
     hn::StoreInterleaved2(hn::Min(low, hn::Set(f, 1)), hn::IfThenElse(hn::Lt(high, hn::Zero(f)), hn::Zero(f), high), f, &row.bounds[i].lo);
   }
