@@ -77,8 +77,7 @@ struct DrawVertices {
 /// The vertices of one draw, by as many threads as there are counts.
 std::unique_ptr<DrawVertices> makeVertices(const Scene& scene, const Rules& rules, const Draw& draw, std::span<RuleCounts> counts) {
   auto all = std::make_unique<DrawVertices>(scene, rules, draw);
-  const Viewport whole{0, 0, static_cast<float>(scene.target.width), static_cast<float>(scene.target.height), 0, 1};
-  if (viewportOf(scene, all->viewportIndex) != whole) counts[0][Rule::ViewportMap] += draw.positions.size();
+  if (!isWholeTarget(scene, all->viewportIndex)) counts[0][Rule::ViewportMap] += draw.positions.size();
   const auto threads = static_cast<uint32_t>(counts.size()), size = static_cast<uint32_t>(draw.positions.size());
   all->partSize = std::max(1U, (size + threads - 1) / threads);
   all->parts.resize(threads);

@@ -25,6 +25,12 @@ bool hasFlat(const Scene& scene) {
   return hasInputs(scene) && std::ranges::any_of(scene.draws[0].varyings, [](const Varying& v) { return v.interpolation == Interpolation::flat; });
 }
 
+size_t vertexCountOf(const Scene& scene) {
+  size_t vertices = 0;
+  for (const Draw& draw : scene.draws) vertices += draw.positions.size();
+  return vertices;
+}
+
 }  // namespace
 
 /// Fills one part from a range of primitives.
@@ -130,16 +136,6 @@ class KernelGeometry::Maker {
   const bool deep_, inputs_, flat_, mayWiden_;
 };
 
-namespace {
-
-size_t vertexCountOf(const Scene& scene) {
-  size_t vertices = 0;
-  for (const Draw& draw : scene.draws) vertices += draw.positions.size();
-  return vertices;
-}
-
-}  // namespace
-
 KernelGeometry::KernelGeometry(const Scene& scene, const Rules& rules, BandRows rows, std::span<RuleCounts> counts)
     : scene_(scene), rules_(rules), rows_(rows), vertices_(stagesInVectors(rules) ? vertexCountOf(scene) : 0, scene.target.depthFormat || hasInputs(scene)),
       parts_(counts.size()) {
@@ -190,7 +186,6 @@ bool KernelGeometry::servesInVectors(const Draw& draw, bool clipped) const {
 
 void KernelGeometry::stage(std::span<RuleCounts> counts) {
   DrawPlace place;
-  const Viewport whole{0, 0, static_cast<float>(scene_.target.width), static_cast<float>(scene_.target.height), 0, 1};
   std::vector<RuleCounts> decided(counts.size());
   for (const Draw& draw : scene_.draws) {
     place.primitives = primitiveCount(scene_.state, draw);
@@ -205,7 +200,7 @@ void KernelGeometry::stage(std::span<RuleCounts> counts) {
         decided[k][Rule::Division] +=
             stageVertices(std::span(draw.positions).subspan(first, end - first), stage, volume, place.firstVertex + first, vertices_);
       });
-      if (viewportOf(scene_, draw.viewportIndex) != whole) decided[0][Rule::ViewportMap] += size;
+      if (!isWholeTarget(scene_, draw.viewportIndex)) decided[0][Rule::ViewportMap] += size;
       const auto codes = std::span(vertices_.codes).subspan(place.firstVertex, size);
       place.clipped = std::ranges::any_of(codes, [](uint32_t code) { return (code & ~kNoPlace) != 0; });
       place.inVectors = servesInVectors(draw, place.clipped);

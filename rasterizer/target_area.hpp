@@ -22,6 +22,11 @@ struct PixelArea {
   return index == 0 ? scene.viewport : scene.furtherViewports[index - 1].viewport;
 }
 
+/// Is viewport `index` the whole target with depths 0 to 1?
+[[nodiscard]] inline bool isWholeTarget(const Scene& scene, uint32_t index) {
+  return viewportOf(scene, index) == Viewport{0, 0, static_cast<float>(scene.target.width), static_cast<float>(scene.target.height), 0, 1};
+}
+
 /// For draws through viewport `index`: each viewport has its own scissor.
 [[nodiscard]] inline PixelArea targetArea(const Scene& scene, uint32_t index, DeliberateError error = DeliberateError::None) {
   PixelArea area = wholeTarget(scene);
