@@ -199,9 +199,9 @@ int runVerb(const CheckOptions& options) {
   PoolOptions pool;
   pool.workers = options.jobs > 0 ? options.jobs : coresToUse();
   pool.driverSeconds = watchdogSeconds(options.choice.timeoutSeconds);
-  JobGroups groups;
-  pool.groupOf = [&](uint32_t job) { return groups.of((*jobs)[job]); };
   const unsigned workers = std::min<unsigned>(pool.workers, static_cast<unsigned>(order.size()));
+  JobGroups groups;
+  if (workers > 1) pool.groupOf = [&](uint32_t job) { return groups.of((*jobs)[job]); };
   const auto settings = [&](uint32_t job) {
     CheckSettings chosen{.pictures = pictured.contains(job), .dump = std::nullopt, .rounds = options.rounds, .threads = std::max(1U, coresToUse() / workers)};
     if (!options.dump.empty()) chosen.dump = options.dump;

@@ -1,7 +1,6 @@
 // Which jobs a worker gains from doing one after the other: those for which a driver compiles the same pipelines.
 #pragma once
 
-#include <map>
 #include <string>
 
 #include "harness/cli/selection.hpp"

@@ -2,7 +2,6 @@
 
 #include "scene/stopwatch.hpp"
 
-
 namespace rasterdiff::harness::cli {
 
 Result<Frame> MeteredSubject::render(const Scene& scene) {
