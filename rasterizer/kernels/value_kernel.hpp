@@ -1,9 +1,10 @@
 // The fast kernel for primitive index, overdraw count, depth and varyings: exact coverage, values within a stated bound.
 //
 // Coverage equals coverage_oracle.hpp for all int32 vertices. A depth is a plane through the three vertex values, anchored at
-// vertex 0, evaluated in double precision and rounded once to float32; a varying is a weighted mean of the vertex values, the
-// weights from exact edge functions. How far from the exact value that can be is proved in value_setup-inl.h (depth) and
-// value_weights-inl.h (varyings) and computed by the bounds below: half a unit in the last place of float32 and next to nothing.
+// vertex 0, evaluated in double precision and rounded once to float32; a varying is a weighted mean of the vertex values, from exact
+// edge functions at the first of neighbouring pixels of one triangle, and linear from there. How far from the exact value that can be
+// is proved in value_setup-inl.h (depth) and value_run_sums-inl.h (varyings) and computed by the bounds below: half a unit in the last
+// place of float32 and next to nothing.
 #pragma once
 
 #include <array>
@@ -27,8 +28,9 @@ uint64_t drawBand(const ValueTriangles& triangles, ValueTarget& target, uint32_t
 /// Bound on |double - exact| of a depth at point `p` (1/256 pixel), before it is rounded to float32: 2^-49 times the
 /// sum of the magnitudes that cancel in it. For |coordinates| <= 2^22; infinite where the triangle has no area.
 [[nodiscard]] double linearValueBound(const SnappedTriangle& triangle, SubpixelPosition p, const std::array<double, 3>& values);
-/// The same of a varying (1 / w all 1: of one without perspective), for any int32 coordinates: 12 · 2^-53 of the weighted
-/// magnitudes where `p` is inside, whatever the triangle's shape; infinite where the denominator may be zero.
+/// The same of a varying (1 / w all 1: of one without perspective), for any int32 coordinates: some 2^-48 of the values' magnitude, times
+/// the ratio of the largest 1 / w to the smallest, times how much the triangle's area grows if its edges move outwards by half a pixel
+/// (only centres outside of it need that: several samples); infinite where the denominator may be zero.
 [[nodiscard]] double varyingBound(const SnappedTriangle& triangle, SubpixelPosition p, const std::array<float, 3>& values,
                                   const std::array<float, 3>& reciprocalW);
 

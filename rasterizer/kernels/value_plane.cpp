@@ -98,13 +98,20 @@ std::array<double, 3> edgeFunctions(const SnappedTriangle& triangle, SubpixelPos
 double varyingBound(const SnappedTriangle& triangle, SubpixelPosition p, const std::array<float, 3>& values,
                     const std::array<float, 3>& reciprocalW) {
   const std::array<double, 3> b = edgeFunctions(triangle, p);
-  double sum = 0, magnitudes = 0, terms = 0;
+  const double area = std::fabs(Edges(triangle).determinant);
+  double denominator = 0, here = 0, hereValues = 0, first = 0, firstValues = 0;  // of weights' magnitudes: sums at `p` and at the run's first pixel
   for (size_t i = 0; i < 3; ++i) {
-    const double weight = b[i] * reciprocalW[i];
-    sum += weight, magnitudes += std::fabs(weight), terms += std::fabs(weight * values[i]);
+    const SubpixelPosition v = triangle.v[(i + 1) % 3], w = triangle.v[(i + 2) % 3];
+    const double length = std::fabs(double{1} * w.x - v.x) + std::fabs(double{1} * w.y - v.y);
+    const double weight = b[i] * reciprocalW[i], most = (area + kSubpixelOne / 2 * length) * reciprocalW[i];
+    denominator += weight;
+    here += std::fabs(weight), hereValues += std::fabs(weight * values[i]);
+    first += most, firstValues += most * std::fabs(values[i]);
   }
-  const double cancelled = magnitudes / std::fabs(sum);
-  return cancelled < 0x1p40 ? 0x1p-53 * (7 + 5 * cancelled) * (terms / std::fabs(sum)) * (1 + 0x1p-8) : kInfinity;
+  denominator = std::fabs(denominator);
+  const double relative = (6 * first + 4 * here) / denominator;  // error of the denominator
+  if (!(relative < 0x1p40)) return kInfinity;
+  return 0x1p-53 * (1 + 0x1p-8) * (8 * firstValues + 5 * hereValues + hereValues * (relative + 2)) / denominator;
 }
 
 }  // namespace rasterdiff::rasterizer

@@ -112,7 +112,7 @@ HWY_INLINE void DrawChunksOf(const ValueView& target, const ValueBatch& b, Chunk
   const uint32_t firstNumber = view.before + 1 + (kListed ? 0 : b.triangles[0]);
   const auto elementOf = [](uint64_t code) { return code & ((uint64_t{1} << 40) - 1); };
   std::fill_n(chunks.codes + chunks.size, Chunks::kAhead, chunks.codes[0]);
-  const auto prefetch = [&](uint64_t code) {
+  const auto prefetch = [&](uint64_t code) __attribute__((always_inline)) {
     const size_t element = elementOf(code);
     if (P::kDepth) __builtin_prefetch(view.depth + element, 1);
     if (P::kPrimitive) __builtin_prefetch(view.primitive + element, 1);

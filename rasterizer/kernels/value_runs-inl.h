@@ -34,9 +34,10 @@ struct Strip {
   StripRow rows[kStripRows];
   uint64_t drawn = 0;  // in any row
   size_t size = 0;
-  uint32_t numbers[kSize + kRoom];
+  uint32_t places[kSize + kRoom];       // of triangles; nobody's: any
+  int32_t columns[kSize + kRoom];       // first pixels, from the strip's left on
   size_t wantedSize = 0;
-  uint32_t wanted[kSize + kRoom];       // numbers that the row above has not
+  uint32_t wanted[kSize + kRoom];       // places that the row above has not
   alignas(64) double y[kSize + kRoom];  // of the pixels' centres, 1/256 pixel
 };
 
@@ -57,25 +58,51 @@ HWY_INLINE uint64_t BitsOf(hn::Mask<NumberTag> mask) {
 #endif
 }
 
-/// Appends the numbers of pixels whose bits are set; `to` has room for a vector more.
-HWY_INLINE void AppendNumbers(const uint32_t* HWY_RESTRICT numbers, uint64_t bits, uint32_t* HWY_RESTRICT to, size_t& size) {
+/// Appends runs that start at pixels whose bits are set; there is room for a vector more.
+HWY_INLINE void AppendPlaces(const uint32_t* HWY_RESTRICT numbers, uint64_t starts, Strip& strip, size_t& size) {
 #if HWY_TARGET <= HWY_AVX3
+  const __m512i one = _mm512_set1_epi32(1), iota = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
   for (size_t x = 0; x < kStripColumns; x += kNumberLanes) {
-    const auto mask = static_cast<__mmask16>(bits >> x);
-    _mm512_storeu_si512(to + size, _mm512_maskz_compress_epi32(mask, _mm512_maskz_loadu_epi32(mask, numbers + x)));
+    const auto mask = static_cast<__mmask16>(starts >> x);
+    const __m512i number = _mm512_maskz_compress_epi32(mask, _mm512_maskz_loadu_epi32(mask, numbers + x));
+    _mm512_storeu_si512(strip.places + size, _mm512_sub_epi32(_mm512_max_epu32(number, one), one));
+    _mm512_storeu_si512(strip.columns + size, _mm512_maskz_compress_epi32(mask, _mm512_add_epi32(iota, _mm512_set1_epi32(static_cast<int>(x)))));
     size += static_cast<size_t>(__builtin_popcount(mask));
   }
 #else
-  for (; bits != 0; bits &= bits - 1) to[size++] = numbers[std::countr_zero(bits)];
+  for (; starts != 0; starts &= starts - 1, ++size) {
+    const int x = std::countr_zero(starts);
+    strip.places[size] = numbers[x] - (numbers[x] != 0 ? 1 : 0), strip.columns[size] = x;
+  }
+#endif
+}
+
+/// Appends those of the runs, which start where `starts` says, that start where `fresh` says, too.
+HWY_INLINE void AppendWanted(const uint32_t* HWY_RESTRICT places, uint64_t starts, uint64_t fresh, Strip& strip) {
+#if HWY_TARGET <= HWY_AVX3
+  uint64_t which = _pext_u64(fresh, starts);
+  for (; which != 0; which >>= kNumberLanes, places += kNumberLanes) {
+    const auto mask = static_cast<__mmask16>(which);
+    _mm512_storeu_si512(strip.wanted + strip.wantedSize, _mm512_maskz_compress_epi32(mask, _mm512_loadu_si512(places)));
+    strip.wantedSize += static_cast<size_t>(__builtin_popcount(mask));
+  }
+#else
+  for (; starts != 0; starts &= starts - 1, ++places)
+    if ((fresh & starts & ~(starts - 1)) != 0) strip.wanted[strip.wantedSize++] = *places;
 #endif
 }
 
 /// Fetches what a triangle's vertices carry.
 HWY_INLINE void PrefetchTriangle(const ValueTriangles& triangles, size_t each, size_t t) {
-  __builtin_prefetch(&triangles.positions[t]);
-  __builtin_prefetch(triangles.values.data() + each * t);
-  __builtin_prefetch(triangles.values.data() + each * (t + 1) - 1);
-  __builtin_prefetch(triangles.reciprocalW.data() + 3 * t);
+  const SnappedTriangle* HWY_RESTRICT positions = &triangles.positions[t];
+  const float* HWY_RESTRICT values = triangles.values.data() + each * t;
+  const float* HWY_RESTRICT r = triangles.reciprocalW.data() + 3 * t;
+  __builtin_prefetch(positions);
+  __builtin_prefetch(&positions->v[2].y);
+  __builtin_prefetch(values);
+  __builtin_prefetch(values + each - 1);
+  __builtin_prefetch(r);
+  __builtin_prefetch(r + 2);
 }
 
 /// Bits of the lines of 16 pixels that have any.
@@ -87,10 +114,10 @@ HWY_INLINE uint64_t WholeLines(uint64_t bits) {
 }
 
 /// Appends the runs of `pixels` pixels from `numbers` on as row `row`, and those that are to be fetched to `wanted`; `first`: the row of
-/// the pixels' first sample, if this is another one; `above`: a row whose triangles were fetched already, if there is one. Reads a
-/// vector more than the pixels.
+/// the pixels' first sample, if this is another one; `above`: a row whose triangles were fetched already, if there is one; `apart`: every
+/// pixel is a run. Reads a vector more than the pixels.
 HWY_INLINE void FindRuns(const uint32_t* HWY_RESTRICT numbers, const uint32_t* HWY_RESTRICT first, const uint32_t* HWY_RESTRICT above, size_t pixels,
-                         double y, StripRow& row, Strip& strip) {
+                         double y, bool apart, StripRow& row, Strip& strip) {
   const NumberTag u;
   const uint64_t all = ~uint64_t{0} >> (kStripColumns - pixels);
   row.firstRun = strip.size, row.starts = row.same = 0;
@@ -105,7 +132,7 @@ HWY_INLINE void FindRuns(const uint32_t* HWY_RESTRICT numbers, const uint32_t* H
     if (first != nullptr) others |= BitsOf(hn::Ne(here, hn::LoadU(u, first + x))) << x;
     if (above != nullptr) fresh |= BitsOf(hn::Ne(here, hn::LoadU(u, above + x))) << x;
   }
-  row.starts = (ends << 1 | 1) & all;
+  row.starts = (apart ? ~uint64_t{0} : ends << 1 | 1) & all;
   if (first != nullptr) {
     const uint64_t run = WholeLines(others & all);
     row.starts = (row.starts | (run & ~(run << 16) & 0x0001000100010001)) & run;
@@ -114,8 +141,8 @@ HWY_INLINE void FindRuns(const uint32_t* HWY_RESTRICT numbers, const uint32_t* H
   }
   fresh = (above != nullptr ? fresh : ~uint64_t{0}) & row.starts & row.drawn;
   size_t size = strip.size;
-  AppendNumbers(numbers, row.starts, strip.numbers, size);
-  AppendNumbers(numbers, fresh, strip.wanted, strip.wantedSize);
+  AppendPlaces(numbers, row.starts, strip, size);
+  AppendWanted(strip.places + strip.size, row.starts, fresh, strip);
   const hn::CappedTag<double, 8> d;
   for (size_t k = strip.size; k < size; k += hn::MaxLanes(d)) hn::StoreU(hn::Set(d, y), d, strip.y + k);
   strip.size = size;
@@ -124,7 +151,7 @@ HWY_INLINE void FindRuns(const uint32_t* HWY_RESTRICT numbers, const uint32_t* H
 /// Fetches what a strip wants of triangles.
 HWY_INLINE void PrefetchWanted(const ValueTriangles& triangles, const Strip& strip) {
   const size_t each = 3 * triangles.kinds.size();
-  for (size_t k = 0; k < strip.wantedSize; ++k) PrefetchTriangle(triangles, each, strip.wanted[k] - size_t{1});
+  for (size_t k = 0; k < strip.wantedSize; ++k) PrefetchTriangle(triangles, each, strip.wanted[k]);
 }
 
 }  // namespace HWY_NAMESPACE

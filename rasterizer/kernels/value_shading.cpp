@@ -1,5 +1,5 @@
-// Deferred varyings, once for each sample that is left, from its own primitive: tile by tile runs (value_runs-inl.h), edge functions
-// (value_run_edges-inl.h), weights (value_weights-inl.h), values (value_components-inl.h).
+// Deferred varyings, once for each sample that is left, from its own primitive: tile by tile runs (value_runs-inl.h), sums along
+// them (value_run_sums-inl.h), values (value_components-inl.h).
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rasterizer/kernels/value_shading.cpp"
 #include "hwy/foreach_target.h"
@@ -10,7 +10,6 @@
 
 #include "hwy/highway.h"
 #include "rasterizer/kernels/value_components-inl.h"
-#include "rasterizer/kernels/value_run_edges-inl.h"
 #include "rasterizer/kernels/value_shading.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -55,7 +54,6 @@ class Tiles {
     return area.left < area.right && area.top < area.bottom ? sizeof(float) * (area.right - area.left) * (area.bottom - area.top) : 0;
   }
 
-  static constexpr size_t kRowLines = kStripColumns / kLinePixels;
   // kLeastRows: sample rows of a strip, or one of pixels if that is more.
   static constexpr uint32_t kTileRows = 32, kTileColumns = 512, kLeastRows = 4;
 
@@ -91,7 +89,7 @@ class Tiles {
       const uint32_t* HWY_RESTRICT numbers = numbers_ + ElementOf(box.left, row);
       PrefetchRow(numbers + 2 * kStripColumns);
       FindRuns(numbers, s == 0 ? nullptr : numbers - s * stride_, box.below || k >= samples_ ? numbers - samples_ * stride_ : nullptr,
-               box.right - box.left, y * double{kSubpixelOne} + kSubpixelOne / 2, strip.rows[k], strip);
+               box.right - box.left, y * double{kSubpixelOne} + kSubpixelOne / 2, area_.far, strip.rows[k], strip);
       strip.drawn |= strip.rows[k].drawn;
       if (past_ || strip.rows[k].drawn == 0) continue;
       for (size_t c = 0; c < components_.count; ++c) PrefetchRow(to_[c] + ElementOf(box.left, row));
@@ -100,84 +98,38 @@ class Tiles {
   }
 
   void ShadeStrip(const StripBox& box, Strip& strip) {
-    SetUpRuns(triangles_, components_.perspective, box.left * double{kSubpixelOne} + kSubpixelOne / 2, strip, edges_);
-    FindWeights(box, strip);
-    if (past_) {
-      FindValues<true>(box, strip);
+    SetUpRuns(triangles_, components_, box.left * double{kSubpixelOne} + kSubpixelOne / 2, area_.far, strip, sums_);
+    if (components_.allPerspective) {
+      past_ ? FindValues<true, true>(box, strip) : FindValues<true, false>(box, strip);
     } else {
-      FindValues<false>(box, strip);
+      past_ ? FindValues<false, true>(box, strip) : FindValues<false, false>(box, strip);
     }
   }
 
-  /// Before values are found: from a pixel's number to its values it is so long a way that a processor would look ahead no farther
-  /// than the next line.
-  HWY_NOINLINE void FindWeights(const StripBox& box, const Strip& strip) {
-    const ShadeD d;
-    const ShadeU u;
-    constexpr uint64_t kBits = (1u << kShadeLanes) - 1, kLineBits = (1u << kLinePixels) - 1;
-    const auto each = static_cast<uint32_t>(3 * components_.count);
-    for (uint32_t row = box.top * samples_, k = 0; row < box.bottom * samples_; ++row, ++k) {
-      const StripRow& here = strip.rows[k];
-      const uint32_t* HWY_RESTRICT numbers = numbers_ + ElementOf(box.left, row);
-      size_t run = here.firstRun;
-      const uint32_t end = (box.right - box.left + kLinePixels - 1) / kLinePixels * kLinePixels;
-      for (uint32_t x = 0; x < end; x += kShadeLanes) {
-        const uint64_t starts = here.starts >> x & kBits;
-        const Spread spread(starts, run);
-        run += static_cast<size_t>(std::popcount(starts));
-        if ((here.drawn >> x / kLinePixels * kLinePixels & kLineBits) == 0) continue;
-        LineWeights& weights = weights_[k * kRowLines + x / kLinePixels];
-        const size_t part = x % kLinePixels;
-        // Nobody's pixels take any triangle; behind the target's columns they are nobody's.
-        const auto place = hn::Max(hn::LoadU(u, numbers + x), hn::Set(u, 1)) - hn::Set(u, 1);
-        PutProducts(place, each, weights.values + part);
-        PerVertex b = EdgeFunctions(edges_, spread, (hn::Iota(d, 0) + hn::Set(d, x)) * hn::Set(d, kSubpixelOne));
-        if (HWY_UNLIKELY(area_.far)) {
-          const auto centre = [](uint32_t pixel) { return static_cast<int32_t>(pixel) * kSubpixelOne + kSubpixelOne / 2; };
-          b = FarEdgeFunctions(triangles_, numbers + x, {centre(box.left + x), centre(box.top + k / samples_)});
-        }
-        const auto put = [&](const PerVertex& w, double(*to)[kLinePixels]) {
-          for (size_t i = 0; i < 3; ++i) hn::Store(w.v[i], d, to[i] + part);
-        };
-        if (components_.noperspective) put(WeightsOf(b.v[0], b.v[1], b.v[2]), weights.noperspective);
-        if (components_.perspective)
-          put(WeightsOf(b.v[0] * spread.Of(edges_.r[0]), b.v[1] * spread.Of(edges_.r[1]), b.v[2] * spread.Of(edges_.r[2])), weights.perspective);
-      }
-    }
-  }
-
-  static HWY_INLINE void PutProducts(hn::Vec<ShadeU> place, uint32_t each, size_t* HWY_RESTRICT to) {
-#if HWY_TARGET <= HWY_AVX3
-    _mm512_storeu_si512(to, _mm512_mul_epu32(_mm512_cvtepu32_epi64(place.raw), _mm512_set1_epi64(each)));
-#else
-    alignas(32) uint32_t places[kShadeLanes];
-    hn::Store(place, ShadeU(), places);
-    for (size_t k = 0; k < kShadeLanes; ++k) to[k] = size_t{places[k]} * each;
-#endif
-  }
-
-  template <bool kPast>
+  template <bool kAllPerspective, bool kPast>
   HWY_NOINLINE void FindValues(const StripBox& box, const Strip& strip) {
     const LineF f;
-    const hn::RebindToUnsigned<LineF> u;
     constexpr uint64_t kLineBits = (1u << kLinePixels) - 1;
-    const float* HWY_RESTRICT values = triangles_.values.data();
     for (uint32_t row = box.top * samples_, k = 0; row < box.bottom * samples_; ++row, ++k) {
       const StripRow& here = strip.rows[k];
       const size_t first = ElementOf(box.left, row), toFirstSample = k % samples_ * stride_;
+      size_t run = here.firstRun;
       for (uint32_t x = 0; x < box.right - box.left; x += kLinePixels) {
-        if ((here.drawn >> x & kLineBits) == 0) continue;
-        const size_t element = first + x;
+        const uint64_t starts = here.starts >> x & kLineBits, drawn = here.drawn >> x & kLineBits;
+        const size_t before = run, element = first + x;
+        run += static_cast<size_t>(std::popcount(starts));
+        if (drawn == 0) continue;
         if ((here.same >> x & kLineBits) != 0) {
           for (size_t c = 0; c < components_.count; ++c) hn::Store(hn::Load(f, to_[c] + element - toFirstSample), f, to_[c] + element);
           continue;
         }
-        const LineWeights& weights = weights_[k * kRowLines + x / kLinePixels];
-        const Outputs<kPast> out{to_, element, hn::RebindMask(f, hn::Ne(hn::LoadU(u, numbers_ + element), hn::Zero(u)))};
-        if ((here.starts >> x & kLineBits) <= 1) {
-          ShadeOne(values + weights.values[0], components_, weights, out);
+        const Outputs<kPast> out{to_, element, LineMask(drawn)};
+        if (starts <= 1) {
+          ShadeLine<kAllPerspective>(OneRun(before + starts - 1), strip, sums_, components_, x, out);
+        } else if (HWY_LIKELY(run - before < Spread<true>::kNearRuns)) {
+          ShadeLine<kAllPerspective>(Spread<true>(starts, before), strip, sums_, components_, x, out);
         } else {
-          ShadeMany(values, components_, weights, out);
+          ShadeLine<kAllPerspective>(Spread<false>(starts, before), strip, sums_, components_, x, out);
         }
       }
     }
@@ -193,8 +145,7 @@ class Tiles {
   const bool past_;
   float* to_[kMaxValueComponents] = {};
   Strip strips_[2];
-  RunEdges edges_;
-  LineWeights weights_[Strip::kSize / kLinePixels];
+  RunSums sums_;
 };
 
 void Shade(const ValueTriangles& triangles, ValueTarget& target, const DrawnArea& area) {

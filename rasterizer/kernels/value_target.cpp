@@ -30,10 +30,11 @@ ValueTarget::ValueTarget(uint32_t width, uint32_t height, std::span<const Sample
 }
 
 void ValueTarget::clear() {
-  std::ranges::fill(primitive, 0);
-  std::ranges::fill(count, 0);
-  std::ranges::fill(depth, 1.0F);
+  // Varyings first: what is drawn into next is then what the caches hold.
   for (ValueRows<float>& plane : varyings) std::ranges::fill(plane, 0.0F);
+  std::ranges::fill(count, 0);
+  std::ranges::fill(primitive, 0);
+  std::ranges::fill(depth, 1.0F);
 }
 
 uint64_t ValueTarget::differing(const ValueTarget& other) const {
