@@ -191,7 +191,7 @@ class Renderer {
     return inside;
   }
 
-  // Lines and points: every sample of the shape's rows is decided on its own.
+  // Lines and points.
   void drawFigure(const Primitive& primitive, const Figure& figure) {
     values_.setUp(primitive, figure);
     const Shape::Rows rows = figure.shape->rows();
@@ -200,10 +200,52 @@ class Renderer {
     for (int32_t y = first; y <= last; ++y) {
       RowSpan columns = figure.shape->columns(y);
       columns = {std::max(columns.begin, whole_.left), std::min(columns.end, whole_.right)};
-      for (int32_t x = columns.begin; x < columns.end; ++x) inside += drawFigurePixel(primitive, figure, x, y);
+      if (columns.empty()) continue;
+      if (open_) markFigureRow(figure, y, columns);
+      if (figure.nominal || figure.solid) inside += drawFigureRow(primitive, figure, y, columns);
     }
     for (const Rule rule : FigureRules(scene_, rules_, primitive, figure).all()) counts_[rule] += inside;
     countInterpolation(primitive, inside);
+  }
+
+  // Returns the number of samples inside. What has no rows of its own is decided sample by sample.
+  uint64_t drawFigureRow(const Primitive& primitive, const Figure& figure, int32_t y, RowSpan columns) {
+    uint64_t samples = 0;
+    const bool whole = figure.nominal && !figure.solid && !kept_ && rules_.error == DeliberateError::None;
+    if (whole && coverFigureRow(figure, y, columns, samples)) {
+      if (samples > 0) writer_.writeRow(primitive.number, values_, y, spans_);
+      return samples;
+    }
+    for (int32_t x = columns.begin; x < columns.end; ++x) samples += drawFigurePixel(primitive, figure, x, y);
+    return samples;
+  }
+
+  bool coverFigureRow(const Figure& figure, int32_t y, RowSpan columns, uint64_t& samples) {
+    RowSpan writable = columns;
+    if (!figure.cutsItself) writable = area_.contains(area_.left, y) ? RowSpan{area_.left, area_.right} : RowSpan{};
+    for (size_t s = 0; s < pattern_.size(); ++s) {
+      const std::optional<RowCoverage> row = figure.shape->coverRow(y, pattern_[s], columns);
+      if (!row) return false;
+      const RowSpan inside{std::max(row->covered.begin, writable.begin), std::min(row->covered.end, writable.end)};
+      spans_[s] = inside.empty() ? RowSpan{} : inside;
+      counts_[Rule::TieBreak] += static_cast<uint64_t>(row->ties);
+      counts_[Rule::Scissor] += static_cast<uint64_t>(row->covered.length() - inside.length());
+      samples += static_cast<uint64_t>(inside.length());
+    }
+    return true;
+  }
+
+  void markFigureRow(const Figure& figure, int32_t y, RowSpan columns) {
+    const bool pixels = figure.shape->classifiesPixels();
+    for (int32_t x = columns.begin; x < columns.end; ++x) {
+      if (!figure.cutsItself && !area_.contains(x, y)) continue;
+      Coverage coverage = Coverage::Out;
+      for (uint32_t s = 0; s < pattern_.size(); ++s) {
+        const int64_t px = int64_t{x} * kSubpixelOne + pattern_[s].x, py = int64_t{y} * kSubpixelOne + pattern_[s].y;
+        if (s == 0 || !pixels) coverage = legalVerdict(figure, px, py).coverage;
+        writer_.markCoverage(x, y, s, coverage);
+      }
+    }
   }
 
   // Returns the number of samples inside.
@@ -219,7 +261,6 @@ class Renderer {
       if (figure.solid) countStipple(figure, px, py, covered);
       spans_[s] = covered && inside ? keptOf(x, y) : RowSpan{};
       if (!spans_[s].empty()) ++samples;
-      if (open_ && inside) writer_.markCoverage(x, y, s, legalVerdict(figure, px, py).coverage);
     }
     if (samples > 0) writer_.writeRow(primitive.number, values_, y, spans_);
     return samples;

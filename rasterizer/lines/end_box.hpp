@@ -64,10 +64,15 @@ struct EndBox {
 /// has its extremes.
 template <class Visit>
 void forEachPlacement(const EndBox& a, const EndBox& b, const Visit& visit) {
-  for (unsigned corner = 0; corner < 16; ++corner) {
-    visit((corner & 1) != 0 ? a.x.high : a.x.low, (corner & 2) != 0 ? a.y.high : a.y.low,
-          (corner & 4) != 0 ? b.x.high : b.x.low, (corner & 8) != 0 ? b.y.high : b.y.low);
-  }
+  const auto forEachEnd = [](Range range, const auto& visitEnd) {
+    visitEnd(range.low);
+    if (!range.fixed()) visitEnd(range.high);
+  };
+  forEachEnd(a.x, [&](int64_t ax) {
+    forEachEnd(a.y, [&](int64_t ay) {
+      forEachEnd(b.x, [&](int64_t bx) { forEachEnd(b.y, [&](int64_t by) { visit(ax, ay, bx, by); }); });
+    });
+  });
 }
 
 /// (b - a) × (p - a) // 1/65536 pixel², ≤ 2^60

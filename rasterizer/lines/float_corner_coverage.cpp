@@ -47,6 +47,22 @@ class FloatCornerCoverage final : public LineCoverage {
     return covered;
   }
 
+  // One outline: a convex polygon. The dashes of a stippled line are several.
+  std::optional<RowCoverage> coverRow(int32_t y, SubpixelPosition offset, RowSpan columns) const override {
+    if (outlines_.size() != 1) return std::nullopt;
+    const Outline& outline = outlines_[0];
+    const RowSpan writable = outline.writable.columns(y, offset);
+    columns = {std::max(columns.begin, writable.begin), std::min(columns.end, writable.end)};
+    if (atSamples_) {
+      if (y < outline.seen.top || y >= outline.seen.bottom) return RowCoverage{};
+      columns = {std::max(columns.begin, outline.seen.left), std::min(columns.end, outline.seen.right)};
+    } else {
+      offset = {kSubpixelOne / 2, kSubpixelOne / 2};
+    }
+    if (columns.empty()) return RowCoverage{};
+    return rasterizer::coverRow(outline.edges, offset.x, int64_t{y} * kSubpixelOne + offset.y, columns);
+  }
+
   // Of the outline in which the sample lies deepest.
   ShapeFacts facts(int64_t px, int64_t py) const override {
     constexpr std::array<std::string_view, 4> kNames{"edge 1", "edge 2", "edge 3", "edge 4"};

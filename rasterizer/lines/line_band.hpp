@@ -13,6 +13,8 @@ class LineBand {
  public:
   virtual ~LineBand() = default;
   [[nodiscard]] virtual BandVerdict classify(int64_t px, int64_t py) const = 0;
+  /// As Shape::classifiesPixels.
+  [[nodiscard]] virtual bool classifiesPixels() const { return false; }
   /// Samples farther from the segment between the nominal ends are Out, 1/256 pixel.
   [[nodiscard]] virtual double reach() const = 0;
 };

@@ -15,6 +15,8 @@ class LineCoverage {
   virtual ~LineCoverage() = default;
   /// Sample position in 1/256 pixel. `tie`: it lies on the boundary of what is drawn.
   [[nodiscard]] virtual bool covers(int64_t px, int64_t py, bool& tie) const = 0;
+  /// As Shape::coverRow.
+  [[nodiscard]] virtual std::optional<RowCoverage> coverRow(int32_t, SubpixelPosition, RowSpan) const { return std::nullopt; }
   /// The numbers behind `covers`; none for a deliberate error.
   [[nodiscard]] virtual ShapeFacts facts(int64_t, int64_t) const { return {}; }
   /// No covered sample is farther from the segment between the nominal ends, 1/256 pixel.

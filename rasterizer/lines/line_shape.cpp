@@ -52,6 +52,14 @@ class LineShape final : public Shape {
     return nominal_ && nominal_->covers(px, py, tie);
   }
 
+  std::optional<RowCoverage> coverRow(int32_t y, SubpixelPosition offset, RowSpan columns) const override {
+    return nominal_ ? nominal_->coverRow(y, offset, columns) : RowCoverage{};
+  }
+
+  bool classifiesPixels() const override {
+    return (cut_.band || uncut_) && (!cut_.band || cut_.band->classifiesPixels()) && (!uncut_ || uncut_->band->classifiesPixels());
+  }
+
   ShapeFacts facts(int64_t px, int64_t py) const override { return nominal_ ? nominal_->facts(px, py) : ShapeFacts{}; }
 
   BandVerdict classify(int64_t px, int64_t py) const override {

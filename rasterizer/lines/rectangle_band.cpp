@@ -37,6 +37,8 @@ class RectangleBand final : public LineBand {
     return verdict;
   }
 
+  bool classifiesPixels() const override { return smooth_; }
+
   double reach() const override { return reach_; }
 
  private:
@@ -68,10 +70,11 @@ class RectangleBand final : public LineBand {
     if (length2_.low == 0) return free;  // within reach()
     const int64_t x = centre(px), y = centre(py);
     const Products products{alongRange(x, y, a_, b_), alongRange(x, y, b_, a_), crossRange(x, y, a_, b_)};
-    if (decide(products, width_.narrowest, width_.widest, cornerMargin2_ + kSmoothReach2) == Coverage::Out) return {};
     const bool inside =
         decide(products, width_.narrowest, width_.widest, cornerMargin2_ + kSmoothInside2) == Coverage::In;
-    return inside && !stipple_.enabled ? BandVerdict{Coverage::In, Freedom::None, std::nullopt} : free;
+    if (inside) return stipple_.enabled ? free : BandVerdict{Coverage::In, Freedom::None, std::nullopt};
+    if (decide(products, width_.narrowest, width_.widest, cornerMargin2_ + kSmoothReach2) == Coverage::Out) return {};
+    return free;
   }
 
   // `margin2`: twice the distance by which the outline may be off, 1/256 pixel. Distances from the edges that are
