@@ -125,7 +125,7 @@ struct Outputs {
 
   HWY_INLINE void Put(size_t component, hn::Vec<LineF> value) const {
     const auto v = hn::IfThenElseZero(drawn, value);
-    if (kPast) {
+    if (kPast && kLinePixels >= 4) {  // nothing smaller goes past them
       hn::Stream(v, LineF(), to[component] + element);
     } else {
       hn::Store(v, LineF(), to[component] + element);

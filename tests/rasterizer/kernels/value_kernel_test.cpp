@@ -131,6 +131,28 @@ TEST(ValueKernel, EveryInstructionSetAndThreadCountDrawsTheSameBits) {
   }
 }
 
+/// So many varyings that they are stored past the caches, where the instruction set can.
+TEST(ValueKernel, VaryingsOfALargeTargetAreThoseOfASmallOne) {
+  constexpr uint32_t kWidth = 700, kHeight = 400, kColumns = 128;
+  Prng random(37);
+  std::vector<SnappedTriangle> triangles;
+  for (const auto& family : testing::hardFamilies(kColumns, kHeight))
+    for (int k = 0; k < 20; ++k) triangles.push_back(family.make(random));
+  triangles.push_back({{SubpixelPosition{0, 0}, {256 * 700, 0}, {256 * 700, 256 * 400}}});
+  const ValueLoad load = testing::makeLoad(std::move(triangles), {kAllKinds.begin(), kAllKinds.end()}, random);
+  auto small = *ValueTarget::create(kColumns, kHeight, 1, {true, false, true, 4});
+  drawValues(load.view(), small);
+  testing::onEveryTarget([&] {
+    auto large = *ValueTarget::create(kWidth, kHeight, 1, {true, false, true, 4});
+    drawValues(load.view(), large);
+    for (size_t c = 0; c < 4; ++c)
+      for (uint32_t y = 0; y < kHeight; ++y)
+        ASSERT_TRUE(std::equal(&small.varyings[c][small.index(0, y, 0)], &small.varyings[c][small.index(kColumns, y, 0)],
+                               &large.varyings[c][large.index(0, y, 0)]))
+            << "component " << c << ", row " << y;
+  });
+}
+
 /// What `load` draws if each triangle is drawn alone, where nothing can hide it.
 ValueTarget drawnApart(const ValueLoad& load, const ValueTarget& cleared) {
   ValueTarget apart = cleared;
