@@ -45,6 +45,7 @@ void SetUpBatch(const SnappedTriangle* HWY_RESTRICT t, const float* HWY_RESTRICT
       if (kOwn) PrefetchAhead(z + 3 * i, 3);
     }
     SetUpValues<P::kDepth, P::kCorners>(t + i, kOwn ? z + 3 * i : nullptr, P::kCorners ? corners + i : nullptr, i, view, b);
+    if (P::kDepth) SetUpTests(view, i, b);
   }
   if (i == size) return;
   SnappedTriangle rest[kLanes] = {};  // the others have no area
@@ -54,6 +55,7 @@ void SetUpBatch(const SnappedTriangle* HWY_RESTRICT t, const float* HWY_RESTRICT
   DepthCorners restCorners[P::kCorners ? kLanes : 1] = {};
   if (P::kCorners) std::copy(corners + i, corners + size, restCorners);
   SetUpValues<P::kDepth, P::kCorners>(rest, restDepth, restCorners, i, view, b);
+  if (P::kDepth) SetUpTests(view, i, b);
 }
 
 /// Sets up triangles [first, first + size) of the list.
@@ -73,17 +75,27 @@ HWY_NOINLINE void SetUpListed(const ValueTriangles& triangles, const DrawnList& 
                 P::kCorners ? triangles.corners.data() + first : nullptr, size, view, b);
 }
 
-/// Draws place `i`, which is not small or beyond the fast range. A function of its own, for the sake of the loop that calls it.
+/// Draws the k-th of b.places, which is not small or beyond the fast range, and if it is of hundreds of pixels those that follow and are
+/// so, too; returns how many. A function of its own, for the sake of the loop that calls it.
 template <class P>
-HWY_NOINLINE void DrawOther(const ValueTriangles& triangles, const ValueView& view, const ValueBatch& b, size_t i, Farthest& farthest) {
-  const uint32_t triangle = b.listed ? b.triangles[i] : b.triangles[0] + static_cast<uint32_t>(i), number = view.before + 1 + triangle;
+HWY_NOINLINE size_t DrawOthers(const ValueTriangles& triangles, const ValueView& view, const ValueBatch& b, size_t k, Farthest& farthest,
+                               SeenBlocks& blocks) {
+  const size_t i = b.places[k];
   if (b.far[i] != 0) {
-    drawFarTriangle(triangles, triangle, view);
-  } else if (b.way[i] == kMedium) {
-    DrawMedium<P>(view, b, i, farthest, number);
-  } else {
-    DrawLarge<P>(view, b, i, farthest, number);
+    drawFarTriangle(triangles, b.listed ? b.triangles[i] : b.triangles[0] + i, view);
+    return 1;
   }
+  if constexpr (P::kDepth) {
+    if (b.way[i] == kWide) {
+      DrawLarge<P>(view, b, i, farthest, blocks);
+      return 1;
+    }
+    size_t end = k + 1;
+    while (end < b.size && b.far[b.places[end]] == 0 && b.way[b.places[end]] == kMedium) ++end;
+    DrawMedium<P>(view, b, k, end, farthest, blocks);
+    return end - k;
+  }
+  return 1;
 }
 
 template <class P>
@@ -91,10 +103,11 @@ DrawnArea DrawAll(const ValueTriangles& triangles, const DrawnList& list, const 
   ValueBatch b;
   GatheredBatch gathered;
   Chunks chunks;
+  SeenBlocks blocks;
   Farthest farthest(view);
   for (size_t first = 0; first < list.size; first += ValueBatch::kSize) {
     SetUpListed<P>(triangles, list, first, std::min(ValueBatch::kSize, list.size - first), view, gathered, b);
-    for (size_t k = 0; k < b.size; ++k) {
+    for (size_t k = 0; k < b.size;) {
       const size_t i = b.places[k];
       const uint64_t way = P::kDepth ? b.way[i] : kSmall;
       if (HWY_LIKELY(b.far[i] == 0 && way == kSmall)) {
@@ -105,10 +118,11 @@ DrawnArea DrawAll(const ValueTriangles& triangles, const DrawnList& list, const 
         } else {
           FindChunksOfHigh<P, false>(view, b, i, chunks);
         }
+        ++k;
         continue;
       }
       DrawChunks<P>(view, b, chunks);
-      DrawOther<P>(triangles, view, b, i, farthest);
+      k += DrawOthers<P>(triangles, view, b, k, farthest, blocks);
     }
     DrawChunks<P>(view, b, chunks);
   }

@@ -20,7 +20,7 @@ inline constexpr size_t kChunk = 8;  // pixels
 /// Chunks with a covered pixel, triangle by triangle: element of the planes | mask of pixels << 40 | place << 48.
 /// Elements < 2^14 · 2^4 · (2^14 + 2^4) < 2^33.
 struct Chunks {
-  static constexpr size_t kSize = 1024, kRoom = kSize - 16, kAhead = 64;
+  static constexpr size_t kSize = 1024, kRoom = kSize - 16, kAhead = 24;
   uint64_t codes[kSize + kAhead] = {};
   double depth[kSize];   // at the chunk's first pixel; through corners: gy (y - y0)
   double column[kSize];  // through corners: x of the first pixel's sample
@@ -51,6 +51,15 @@ HWY_INLINE hn::Mask<ChunkF> ChunkMask(uint32_t bits) {
 #endif
 }
 
+/// Rounded once; too large a number becomes infinite, which in Highway's scalar form it does not.
+HWY_INLINE hn::Vec<hn::Rebind<float, D>> RoundToFloat(V v) {
+#if HWY_TARGET == HWY_SCALAR
+  return hn::Vec1<float>(static_cast<float>(v.raw));
+#else
+  return hn::DemoteTo(hn::Rebind<float, D>(), v);
+#endif
+}
+
 /// What the depths of a chunk come from. a0, x0 and column (x of the first pixel's sample): only through corners.
 struct ChunkPlane {
   double chunk, gx, a0, x0, column;
@@ -66,12 +75,12 @@ HWY_INLINE hn::Vec<ChunkF> ChunkDepth(const ChunkPlane& p, size_t first) {
   };
 #if HWY_TARGET <= HWY_AVX3
   (void)first;
-  return hn::DemoteTo(ChunkF(), at(hn::Iota(d, 0)));
+  return RoundToFloat(at(hn::Iota(d, 0)));
 #else
   const hn::Rebind<float, D> part;
   alignas(16) float depth[4 + kLanes];
   for (size_t k = 0; k < kChunkLanes; k += kLanes)
-    hn::Store(hn::DemoteTo(part, at(hn::Iota(d, static_cast<double>(first + k)))), part, depth + k);
+    hn::Store(RoundToFloat(at(hn::Iota(d, static_cast<double>(first + k)))), part, depth + k);
   return hn::Load(ChunkF(), depth);
 #endif
 }
@@ -91,6 +100,14 @@ HWY_INLINE hn::Vec<ChunkF> WriteChunk(const ValueView& view, size_t i, hn::Mask<
         *view.met += hn::CountTrue(du, hn::And(hn::RebindMask(du, alike), drawn));
       }
     }
+#if HWY_TARGET <= HWY_AVX3
+    if (!P::kPrimitive && !P::kCount) {
+      // Which keeps `old` where either is not a number or both are zero.
+      depth.raw = _mm256_mask_min_ps(old.raw, mask.raw, depth.raw, old.raw);
+      hn::StoreU(depth, df, view.depth + i);
+      return depth;
+    }
+#endif
     mask = hn::And(mask, hn::Lt(depth, old));
     depth = hn::IfThenElse(mask, depth, old);
     hn::StoreU(depth, df, view.depth + i);
@@ -104,6 +121,14 @@ HWY_INLINE hn::Vec<ChunkF> WriteChunk(const ValueView& view, size_t i, hn::Mask<
   return depth;
 }
 
+/// Fetches element `i` of the planes. Always inlined: GCC finds that a function that only fetches does nothing, and drops calls of it.
+template <class P>
+HWY_INLINE void PrefetchPlanes(const ValueView& view, size_t i) {
+  if (P::kDepth) __builtin_prefetch(view.depth + i, 1);
+  if (P::kPrimitive) __builtin_prefetch(view.primitive + i, 1);
+  if (P::kCount) __builtin_prefetch(view.count + i, 1);
+}
+
 /// kListed: as the batch is. Lines are fetched some chunks ahead: triangles come from all over the target.
 template <class P, bool kListed>
 HWY_INLINE void DrawChunksOf(const ValueView& target, const ValueBatch& b, Chunks& chunks) {
@@ -112,16 +137,10 @@ HWY_INLINE void DrawChunksOf(const ValueView& target, const ValueBatch& b, Chunk
   const uint32_t firstNumber = view.before + 1 + (kListed ? 0 : b.triangles[0]);
   const auto elementOf = [](uint64_t code) { return code & ((uint64_t{1} << 40) - 1); };
   std::fill_n(chunks.codes + chunks.size, Chunks::kAhead, chunks.codes[0]);
-  const auto prefetch = [&](uint64_t code) __attribute__((always_inline)) {
-    const size_t element = elementOf(code);
-    if (P::kDepth) __builtin_prefetch(view.depth + element, 1);
-    if (P::kPrimitive) __builtin_prefetch(view.primitive + element, 1);
-    if (P::kCount) __builtin_prefetch(view.count + element, 1);
-  };
-  for (size_t k = 0; k < Chunks::kAhead; ++k) prefetch(chunks.codes[k]);
+  for (size_t k = 0; k < Chunks::kAhead; ++k) PrefetchPlanes<P>(view, elementOf(chunks.codes[k]));
   for (size_t k = 0, size = chunks.size; k < size; ++k) {
     const uint64_t code = chunks.codes[k];
-    prefetch(chunks.codes[k + Chunks::kAhead]);
+    PrefetchPlanes<P>(view, elementOf(chunks.codes[k + Chunks::kAhead]));
     const size_t element = elementOf(code), place = code >> 48;
     const auto bits = static_cast<uint32_t>(code >> 40 & 0xFF);
     for (size_t first = 0; first < kChunk; first += kChunkLanes) {
@@ -176,10 +195,17 @@ HWY_INLINE void RowBounds(const RowLines& lines, const RowOffsets& offsets, V r,
 HWY_INLINE hn::Vec<DU> BitsBetween(V from, V to) {
   const D d;
   const DU du;
-  const V zero = hn::Zero(d), eight = hn::Set(d, 8), two52 = hn::Set(d, 4503599627370496.0);
+  const V zero = hn::Zero(d);
+#if HWY_TARGET <= HWY_AVX3
+  // Where a shift is by 64 or more no bit is left.
+  const auto bits = [&](V v) { return hn::Vec<DU>{_mm512_sllv_epi64(_mm512_set1_epi64(0xFF), _mm512_cvtpd_epi64(hn::Max(v, zero).raw))}; };
+  return hn::And(hn::AndNot(bits(to), bits(from)), hn::Set(du, 0xFF));
+#else
+  const V eight = hn::Set(d, 8), two52 = hn::Set(d, 4503599627370496.0);
   const auto bound = [&](V v) { return hn::And(hn::BitCast(du, hn::Min(hn::Max(v, zero), eight) + two52), hn::Set(du, 15)); };
   const auto ones = hn::Set(du, 0xFF);
   return hn::And(hn::AndNot(hn::Shl(ones, bound(to)), hn::Shl(ones, bound(from))), ones);
+#endif
 }
 
 /// Appends the chunks of place `i`, drawing what does not fit. kOne: one sample a pixel.

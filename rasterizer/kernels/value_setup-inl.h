@@ -54,6 +54,9 @@ struct ValueBatch {
   uint64_t places[kSize + 8];  // of what is to be drawn, in order
   alignas(64) uint64_t far[kSize];   // ~0: beyond the fast range
   alignas(64) uint64_t way[kSize];  // kSmall, kMedium or kWide
+  // Of triangles that are not small, see value_blocks-inl.h.
+  alignas(64) double low[kSize], reach[kSize];
+  alignas(64) float step[kSize], nearestSeen[kSize];
   // What all that was set up so far may draw, a vector of boxes.
   alignas(64) double left[kLanes], top[kLanes], right[kLanes], bottom[kLanes];
   alignas(64) uint64_t anyFar[kLanes];

@@ -48,7 +48,7 @@ TEST(ValueKernel, PlanesThatAreNotNeededDoNotChangeTheOthers) {
   for (const bool depth : {false, true}) {
     auto all = *ValueTarget::create(131, 77, 4, {true, true, depth, 0});
     drawValues(load.view(), all);
-    for (const auto& [primitive, count] : {std::pair{true, false}, {false, true}}) {
+    for (const auto& [primitive, count] : {std::pair{true, false}, {false, true}, {false, false}}) {
       auto one = *ValueTarget::create(131, 77, 4, {primitive, count, depth, 0});
       drawValues(load.view(), one);
       EXPECT_TRUE(!primitive || one.primitive == all.primitive);
@@ -151,61 +151,6 @@ TEST(ValueKernel, VaryingsOfALargeTargetAreThoseOfASmallOne) {
                                &large.varyings[c][large.index(0, y, 0)]))
             << "component " << c << ", row " << y;
   });
-}
-
-/// What `load` draws if each triangle is drawn alone, where nothing can hide it.
-ValueTarget drawnApart(const ValueLoad& load, const ValueTarget& cleared) {
-  ValueTarget apart = cleared;
-  for (size_t t = 0; t < load.positions.size(); ++t) {
-    const ValueLoad one{{load.positions[t]}, {load.depth.begin() + static_cast<std::ptrdiff_t>(3 * t), load.depth.begin() + static_cast<std::ptrdiff_t>(3 * t + 3)}, {}, {}, {}};
-    ValueTarget alone = cleared;
-    drawValues(one.view(), alone);
-    for (uint32_t y = 0; y < apart.height(); ++y)
-      for (uint32_t s = 0; s < apart.samples(); ++s)
-        for (size_t i = apart.index(0, y, s); i < apart.index(apart.width(), y, s); ++i) {
-          if (alone.primitive[i] == 0 || !(alone.depth[i] < apart.depth[i])) continue;
-          apart.depth[i] = alone.depth[i];
-          apart.primitive[i] = static_cast<uint32_t>(t + 1);
-          ++apart.count[i];
-        }
-  }
-  return apart;
-}
-
-TEST(ValueKernel, HiddenBlocksOfWideTrianglesChangeNothing) {
-  Prng random(31);
-  const ValueLoad load = testing::makeLoad(some(testing::hardFamilies(700, 300)[6], 60, random), {}, random);
-  for (const uint32_t samples : {1u, 4u}) {
-    auto together = *ValueTarget::create(700, 300, samples, {true, true, true, 0});
-    const ValueTarget apart = drawnApart(load, together);
-    drawValues(load.view(), together);
-    EXPECT_EQ(together.differing(apart), 0u) << samples;
-  }
-}
-
-TEST(ValueKernel, HiddenBlocksOfMediumTrianglesChangeNothing) {
-  Prng random(32);
-  std::vector<SnappedTriangle> triangles;
-  while (triangles.size() < 400) {  // many layers, over the target's edges too, each of some hundred pixels
-    const int32_t x = random.between(-10 * 256, 110 * 256), y = random.between(-10 * 256, 70 * 256);
-    SnappedTriangle t;
-    for (SubpixelPosition& v : t.v) v = {x + random.between(-30 * 256, 30 * 256), y + random.between(-30 * 256, 30 * 256)};
-    triangles.push_back(t);
-  }
-  ValueLoad load = testing::makeLoad(std::move(triangles), {}, random);
-  load.depth[7] = std::numeric_limits<float>::quiet_NaN();
-  for (const uint32_t samples : {1u, 4u}) {
-    const ValueTarget cleared = *ValueTarget::create(101, 61, samples, {true, true, true, 0});
-    const ValueTarget apart = drawnApart(load, cleared);
-    testing::onEveryTarget([&] {
-      ValueTarget together = cleared;
-      drawValues(load.view(), together);
-      EXPECT_EQ(together.differing(apart), 0u) << samples;
-      ValueTarget inBands = cleared;
-      drawValues(load.view(), inBands, 3);
-      EXPECT_EQ(inBands.differing(apart), 0u) << samples;
-    });
-  }
 }
 
 /// Of a target so large that it is drawn band by band; drawBand draws it at once.
