@@ -55,7 +55,7 @@ class Tiles {
   }
 
   // kLeastRows: sample rows of a strip, or one of pixels if that is more.
-  static constexpr uint32_t kTileRows = 32, kTileColumns = 512, kLeastRows = 4;
+  static constexpr uint32_t kTileRows = 32, kTileColumns = 512, kLeastRows = 8;
 
   [[nodiscard]] size_t ElementOf(uint32_t x, uint32_t row) const { return size_t{row} * stride_ + x; }
 
