@@ -79,6 +79,13 @@ void addLines(Family& family) {
     scene.state.depthClampEnable = true;
     return scene;
   });
+  family.add("smooth-line-shader-mask", "a smooth line whose shader masks every sample out", {"R33", "R40"}, [] {
+    Scene scene = pixel(LINE_LIST, {{-1, 0, 0, 1}, {1, 0, 0, 1}});
+    scene.state.lineRasterizationMode = LineRasterizationMode::RECTANGULAR_SMOOTH;
+    scene.state.shaderSampleMask = ShaderSampleMask::CONSTANT;
+    scene.draws[0].shaderSampleMaskBits = 0;
+    return scene;
+  });
   family.add("line-over-viewport-4x", "the viewport does not cut the width of lines, at four samples either", {"R2", "R27"}, [] {
     Scene scene = pixel(LINE_LIST, {{-0.75f, 1, 0.5f, 1}, {-0.625f, 1, 0.5f, 1}}, 4);
     scene.viewport = {-2, -4, 16, 4, 0, 1};
@@ -137,6 +144,15 @@ void addOutlines(Family& family) {
     scene.draws[0].viewportIndex = 1;
     return scene;
   });
+  family.add("corner-viewport", "a corner that a clip distance made in viewport 1, where the scissor of viewport 0 is elsewhere", {"R5", "R34", "R39"}, [] {
+    Scene scene = outlined(POINT, {{-1, -0.7894737f, 0.5f, 1}, {-1, -0.7894737f, 0.5f, 1}, {-0.75f, -0.75f, 0.5f, 1}});
+    scene.scissor = Rect2D{5, 3, 1, 1};
+    scene.furtherViewports = {{scene.viewport}};
+    scene.draws[0].viewportIndex = 1;
+    scene.draws[0].clipDistanceCount = 1;
+    scene.draws[0].clipDistances = {1, 0, -1};
+    return scene;
+  });
   family.add("edges-biased-beyond", "a slope bias that takes one end of an edge beyond the depth range", {"R34", "R37", "R38"}, [] {
     return biased(outlined(LINE, {{-1, -1, 0.25f, 1}, {1, 1, 1, 1}, {0.75f, 1, 1, 1}}), 0, 0.25f);
   });
@@ -187,6 +203,12 @@ void addTriangles(Family& family) {
     drawClip(scene, {{0.39864865f, 0.2548564f, 0, 1}, {0.5236486f, -0.2779772f, 0, 1}, {0.6486486f, -0.8108108f, 0, 1}});
     scene.viewport = {0, 0, 37, 37, 0, 1};
     scene.draws[0].varyings = {one("smooth", Interpolation::smooth, {0, 0, 0})};
+    return scene;
+  });
+  family.add("between-no-area", "a triangle between two without area, whatever the shader reads", {"R12", "R14", "R23"}, [] {
+    const ClipPosition a{-1, -1, 0.5f, 1}, b{1, 0, 0.5f, 1}, c{-1, 1, 0.5f, 1}, d{-1, 0, 0.5f, 1};
+    Scene scene = pixel(TRIANGLE_LIST, {a, a, a, a, b, c, d, d, d});
+    scene.builtIns = {BuiltIn::FragCoord};
     return scene;
   });
   family.add("behind-eye-turned", "a triangle with a vertex behind the eye, seen almost edge-on: what of it is in view is drawn", {"R3", "R4"}, [] {
