@@ -227,8 +227,8 @@ struct ChunkSource {
 
 /// Appends the chunks of pixels [begin, end) of rows `r`, those of `more`, at sample s; draws what does not fit.
 template <class P>
-HWY_INLINE void AppendChunks(const ValueView& view, const ValueBatch& b, const ChunkSource<P>& from, size_t s, V r, V begin, V end, M more, Chunks& chunks,
-                             size_t& size) {
+HWY_INLINE void AppendChunks(const ValueView& view, const ValueBatch& b, const ChunkSource<P>& from, size_t s, V r, V begin, V end, M more,
+                             Chunks& chunks, size_t& size) {
   const D d;
   const DU du;
   const V two52 = hn::Set(d, 4503599627370496.0), eight = hn::Set(d, 8);
