@@ -8,6 +8,7 @@
 
 #include "hwy/highway.h"
 #include "rasterizer/kernels/value_kernel.hpp"
+#include "rasterizer/kernels/value_high-inl.h"
 #include "rasterizer/kernels/value_large-inl.h"
 #include "rasterizer/kernels/value_medium-inl.h"
 #include "rasterizer/kernels/value_rows-inl.h"
@@ -112,11 +113,9 @@ DrawnArea DrawAll(const ValueTriangles& triangles, const DrawnList& list, const 
       const uint64_t way = P::kDepth ? b.way[i] : kSmall;
       if (HWY_LIKELY(b.far[i] == 0 && way == kSmall)) {
         if (HWY_LIKELY(b.endRow[i] - b.firstRow[i] < kHighRows)) {
-          FindChunks<P, false>(view, b, i, chunks);
-        } else if (view.samples == 1) {
-          FindChunksOfHigh<P, true>(view, b, i, chunks);
+          FindChunks<P>(view, b, i, chunks);
         } else {
-          FindChunksOfHigh<P, false>(view, b, i, chunks);
+          FindChunksOfHigh<P>(view, b, i, chunks);
         }
         ++k;
         continue;

@@ -137,10 +137,10 @@ HWY_INLINE void DrawChunksOf(const ValueView& target, const ValueBatch& b, Chunk
   const uint32_t firstNumber = view.before + 1 + (kListed ? 0 : b.triangles[0]);
   const auto elementOf = [](uint64_t code) { return code & ((uint64_t{1} << 40) - 1); };
   std::fill_n(chunks.codes + chunks.size, Chunks::kAhead, chunks.codes[0]);
-  for (size_t k = 0; k < Chunks::kAhead; ++k) PrefetchPlanes<P>(view, elementOf(chunks.codes[k]));
+  for (size_t k = 0; P::kDepth && k < Chunks::kAhead; ++k) PrefetchPlanes<P>(view, elementOf(chunks.codes[k]));
   for (size_t k = 0, size = chunks.size; k < size; ++k) {
     const uint64_t code = chunks.codes[k];
-    PrefetchPlanes<P>(view, elementOf(chunks.codes[k + Chunks::kAhead]));
+    if (P::kDepth) PrefetchPlanes<P>(view, elementOf(chunks.codes[k + Chunks::kAhead]));
     const size_t element = elementOf(code), place = code >> 48;
     const auto bits = static_cast<uint32_t>(code >> 40 & 0xFF);
     for (size_t first = 0; first < kChunk; first += kChunkLanes) {
@@ -208,71 +208,83 @@ HWY_INLINE hn::Vec<DU> BitsBetween(V from, V to) {
 #endif
 }
 
-/// Appends the chunks of place `i`, drawing what does not fit. kOne: one sample a pixel.
-template <class P, bool kOne>
-HWY_INLINE void FindChunks(const ValueView& view, const ValueBatch& b, size_t i, Chunks& chunks) {
+/// What the chunks of place `i` have in common.
+template <class P>
+struct ChunkSource {
+  hn::Vec<DU> place;
+  V rowElements, gx, gy, a0;
+  double x0 = 0, y0 = 0;
+
+  HWY_INLINE ChunkSource(const ValueView& view, const ValueBatch& b, size_t i) {
+    const D d;
+    // A double from 2^52 on is its whole number in the low bits, and an exponent that goes where the place comes.
+    place = hn::Set(DU(), (uint64_t{i} << 48) - (uint64_t{0x433} << 52));
+    rowElements = hn::Set(d, static_cast<double>(view.samples * view.stride));
+    gx = gy = a0 = hn::Zero(d);
+    if (P::kDepth) gx = hn::Set(d, b.gx[i]), gy = hn::Set(d, b.gy[i]), a0 = hn::Set(d, b.a0[i]), x0 = b.x0[i], y0 = b.y0[i];
+  }
+};
+
+/// Appends the chunks of pixels [begin, end) of rows `r`, those of `more`, at sample s; draws what does not fit.
+template <class P>
+HWY_INLINE void AppendChunks(const ValueView& view, const ValueBatch& b, const ChunkSource<P>& from, size_t s, V r, V begin, V end, M more,
+                             Chunks& chunks, size_t& size) {
   const D d;
   const DU du;
   const V two52 = hn::Set(d, 4503599627370496.0), eight = hn::Set(d, 8);
-  // A double from 2^52 on is its whole number in the low bits, and an exponent that goes where the place comes.
-  const auto place = hn::Set(du, (uint64_t{i} << 48) - (uint64_t{0x433} << 52)), eightBits = hn::Set(du, uint64_t{0xFF} << 40);
+  const auto eightBits = hn::Set(du, uint64_t{0xFF} << 40);
+  const V element = hn::MulAdd(r, from.rowElements, hn::Set(d, static_cast<double>(s * view.stride))) + two52;
+  const double x = view.x[s] / 256, y = view.y[s] / 256;
+  V rowDepth = hn::Zero(d);
+  if (P::kCorners) {
+    rowDepth = from.gy * ((r + hn::Set(d, y)) - hn::Set(d, from.y0));
+  } else if (P::kDepth) {
+    rowDepth = from.a0 + from.gy * (r + hn::Set(d, y - from.y0));
+  }
+  const V fromAnchor = hn::Set(d, P::kDepth ? x - (P::kCorners ? 0 : from.x0) : 0);
+  V column = begin;
+  do {
+    // Pixels from the chunk's first to the run's end; of lanes without any, anything.
+    const auto pixels = hn::And(hn::BitCast(du, hn::Min(end - column, eight) + two52), hn::Set(du, 15));
+    const auto bits = hn::AndNot(hn::Shl(eightBits, pixels), eightBits);
+    const auto code = hn::Or(hn::BitCast(du, element + column) + from.place, bits);
+    size_t next = size;
+    if (P::kCorners) {
+      Append(hn::BitCast(du, fromAnchor + column), more, reinterpret_cast<uint64_t*>(chunks.column), next);
+      next = size;
+      Append(hn::BitCast(du, rowDepth), more, reinterpret_cast<uint64_t*>(chunks.depth), next);
+    } else if (P::kDepth) {
+      Append(hn::BitCast(du, rowDepth + from.gx * (fromAnchor + column)), more, reinterpret_cast<uint64_t*>(chunks.depth), next);
+    }
+    Append(code, more, chunks.codes, size);
+    if (HWY_UNLIKELY(size > Chunks::kRoom)) {
+      chunks.size = size;
+      DrawChunks<P>(view, b, chunks);
+      size = 0;
+    }
+    column = column + eight;
+    more = hn::And(more, hn::Lt(column, end));
+  } while (!hn::AllFalse(d, more));
+}
+
+/// Appends the chunks of place `i`.
+template <class P>
+HWY_INLINE void FindChunks(const ValueView& view, const ValueBatch& b, size_t i, Chunks& chunks) {
+  const D d;
   const RowLines lines = LinesOf(b, i);
-  RowOffsets offsets = OffsetsOf(b, i, 0);
+  const ChunkSource<P> source(view, b, i);
   const double firstRow = b.firstRow[i], lastRow = b.endRow[i];
-  const V endRow = hn::Set(d, lastRow), rowElements = hn::Set(d, static_cast<double>(view.samples * view.stride));
-  V gx = hn::Zero(d), gy = gx, a0 = gx;
-  if (P::kDepth) gx = hn::Set(d, b.gx[i]), gy = hn::Set(d, b.gy[i]), a0 = hn::Set(d, b.a0[i]);
-  const double x0 = P::kDepth ? b.x0[i] : 0, y0 = P::kDepth ? b.y0[i] : 0;
-  const size_t samples = kOne ? 1 : view.samples;
+  const V endRow = hn::Set(d, lastRow);
   size_t size = chunks.size;
   for (double row = firstRow; row < lastRow; row += static_cast<double>(kLanes)) {
     const V r = NumbersFrom(d, row);
-    for (size_t s = 0; s < samples; ++s) {
-      if (!kOne) offsets = OffsetsOf(b, i, s);
+    for (size_t s = 0; s < view.samples; ++s) {
       V begin, end;
-      RowBounds(lines, offsets, r, begin, end);
-      V column = begin;
-      M more = hn::And(hn::Lt(begin, end), hn::Lt(r, endRow));
-      const V element = hn::MulAdd(r, rowElements, hn::Set(d, static_cast<double>(kOne ? 0 : s * view.stride))) + two52;
-      const double x = view.x[kOne ? 0 : s] / 256, y = view.y[kOne ? 0 : s] / 256;
-      V rowDepth = hn::Zero(d);
-      if (P::kCorners) {
-        rowDepth = gy * ((r + hn::Set(d, y)) - hn::Set(d, y0));
-      } else if (P::kDepth) {
-        rowDepth = a0 + gy * (r + hn::Set(d, y - y0));
-      }
-      const V fromAnchor = hn::Set(d, P::kDepth ? x - (P::kCorners ? 0 : x0) : 0);
-      do {
-        // Pixels from the chunk's first to the run's end; of lanes without any, anything.
-        const auto pixels = hn::And(hn::BitCast(du, hn::Min(end - column, eight) + two52), hn::Set(du, 15));
-        const auto bits = hn::AndNot(hn::Shl(eightBits, pixels), eightBits);
-        const auto code = hn::Or(hn::BitCast(du, element + column) + place, bits);
-        size_t next = size;
-        if (P::kCorners) {
-          Append(hn::BitCast(du, fromAnchor + column), more, reinterpret_cast<uint64_t*>(chunks.column), next);
-          next = size;
-          Append(hn::BitCast(du, rowDepth), more, reinterpret_cast<uint64_t*>(chunks.depth), next);
-        } else if (P::kDepth) {
-          Append(hn::BitCast(du, rowDepth + gx * (fromAnchor + column)), more, reinterpret_cast<uint64_t*>(chunks.depth), next);
-        }
-        Append(code, more, chunks.codes, size);
-        if (HWY_UNLIKELY(size > Chunks::kRoom)) {
-          chunks.size = size;
-          DrawChunks<P>(view, b, chunks);
-          size = 0;
-        }
-        column = column + eight;
-        more = hn::And(more, hn::Lt(column, end));
-      } while (!hn::AllFalse(d, more));
+      RowBounds(lines, OffsetsOf(b, i, s), r, begin, end);
+      AppendChunks<P>(view, b, source, s, r, begin, end, hn::And(hn::Lt(begin, end), hn::Lt(r, endRow)), chunks, size);
     }
   }
   chunks.size = size;
-}
-
-/// The same of a high triangle: in a function of its own all that its loops read stays in registers.
-template <class P, bool kOne>
-HWY_NOINLINE void FindChunksOfHigh(const ValueView& view, const ValueBatch& b, size_t i, Chunks& chunks) {
-  FindChunks<P, kOne>(view, b, i, chunks);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -28,7 +28,7 @@ class Farthest {
       : firstBlockRow_(static_cast<size_t>(view.firstRow) / kBlock),
         endBlockRow_((static_cast<size_t>(view.endRow) + kBlock - 1) / kBlock),
         samples_(view.samples),
-        longColumns_((static_cast<size_t>(view.width) + kBlock * kBlocksOfLong - 1) / (kBlock * kBlocksOfLong) + kLanes) {}
+        longColumns_((static_cast<size_t>(view.width) + kBlock * kBlocksOfLong - 1) / (kBlock * kBlocksOfLong) + kBlocksOfLong) {}
 
   void Create() {
     if (HWY_LIKELY(!depths_.empty())) return;
@@ -37,7 +37,7 @@ class Farthest {
     longDepths_.assign(size, std::numeric_limits<float>::infinity());
   }
 
-  /// Of a block row at sample s, with a vector more than the blocks.
+  /// Of a block row at sample s; both with a vector more than the blocks.
   HWY_INLINE float* Row(size_t blockRow, size_t s) { return depths_.data() + Place(blockRow, s) * kBlocksOfLong; }
   HWY_INLINE float* LongRow(size_t blockRow, size_t s) { return longDepths_.data() + Place(blockRow, s); }
   [[nodiscard]] size_t FirstBlockRow() const { return firstBlockRow_; }

@@ -76,19 +76,23 @@ void expectSameTogether(const ValueLoad& load, const ValueTarget& cleared) {
 
 TEST(ValueBlocks, CoverWhatIsCoveredWithoutADepthTest) {
   Prng random(30);
-  std::vector<SnappedTriangle> triangles = layers(100, 101, 61, random);
-  for (const size_t family : {2u, 6u, 7u, 11u})
-    for (const SnappedTriangle& t : some(testing::hardFamilies(101, 61)[family], 30, random)) triangles.push_back(t);
-  for (const SnappedTriangle& t : triangles) {
-    const ValueLoad load = testing::makeLoad({t}, {}, random);
+  for (const auto& [width, height] : {std::pair{101, 61}, {40, 2200}, {16384, 60}}) {
+    std::vector<SnappedTriangle> triangles = layers(width == 101 ? 100 : 10, width, height, random);
+    for (const size_t family : {2u, 6u, 7u, 8u, 10u, 11u})
+      for (const SnappedTriangle& t : some(testing::hardFamilies(width, height)[family], width == 101 ? 30 : 3, random)) triangles.push_back(t);
     for (const uint32_t samples : {1u, 4u}) {
-      auto covered = *ValueTarget::create(101, 61, samples, {.primitive = true});
-      drawValues(load.view(), covered);
-      testing::onEveryTarget([&] {
-        ValueTarget drawn = farTarget(101, 61, samples);
-        drawValues(load.view(), drawn);
-        EXPECT_EQ(drawn.primitive, covered.primitive);
-      });
+      const ValueTarget cleared = farTarget(static_cast<uint32_t>(width), static_cast<uint32_t>(height), samples);
+      const ValueTarget withoutDepth = *ValueTarget::create(cleared.width(), cleared.height(), samples, {.primitive = true});
+      for (const SnappedTriangle& t : triangles) {
+        const ValueLoad load = testing::makeLoad({t}, {}, random);
+        ValueTarget covered = withoutDepth;
+        drawValues(load.view(), covered);
+        testing::onEveryTarget([&] {
+          ValueTarget drawn = cleared;
+          drawValues(load.view(), drawn);
+          EXPECT_EQ(drawn.primitive, covered.primitive);
+        });
+      }
     }
   }
 }

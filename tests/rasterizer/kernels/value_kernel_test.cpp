@@ -42,6 +42,23 @@ TEST(ValueKernel, IndexAndCountEqualTheOracleOnHardTriangles) {
     }
 }
 
+/// Rows and pixels by the thousand.
+TEST(ValueKernel, IndexAndCountEqualTheOracleOnHighAndWideTargets) {
+  for (const auto& [width, height] : {std::pair{40, 2200}, {16384, 60}})
+    for (const size_t family : {6u, 7u, 8u, 10u}) {
+      Prng random(family);
+      const ValueLoad load = testing::makeLoad(some(testing::hardFamilies(width, height)[family], 30, random), {}, random);
+      auto expected = *ValueTarget::create(static_cast<uint32_t>(width), static_cast<uint32_t>(height), 1, {.primitive = true, .count = true});
+      const ValueTarget cleared = expected;
+      drawValuesOracle(load.view(), expected);
+      testing::onEveryTarget([&] {
+        ValueTarget drawn = cleared;
+        drawValues(load.view(), drawn);
+        EXPECT_EQ(drawn.differing(expected), 0u) << width << " x " << height << ", " << family;
+      });
+    }
+}
+
 TEST(ValueKernel, PlanesThatAreNotNeededDoNotChangeTheOthers) {
   Prng random(11);
   const ValueLoad load = testing::makeLoad(some(testing::hardFamilies(131, 77)[5], 200, random), {}, random);
