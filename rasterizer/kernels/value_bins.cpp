@@ -8,35 +8,45 @@ namespace rasterdiff::rasterizer {
 
 namespace {
 
-/// Mean area of a triangle, pixels; of some of them, evenly spread.
-double meanArea(std::span<const SnappedTriangle> triangles) {
+/// Means over some of the triangles, evenly spread; pixels.
+struct MeanShape {
+  double area = 0, height = 0;
+};
+
+MeanShape meanShape(std::span<const SnappedTriangle> triangles) {
   constexpr size_t kLooked = 256;
   const size_t step = std::max(triangles.size() / kLooked, size_t{1});
-  double sum = 0, looked = 0;
+  double area = 0, height = 0, looked = 0;
   for (size_t i = 0; i < triangles.size(); i += step, ++looked) {
     const auto& v = triangles[i].v;
     const auto difference = [](int32_t a, int32_t b) { return static_cast<double>(a) - static_cast<double>(b); };
     const double x1 = difference(v[1].x, v[0].x), y1 = difference(v[1].y, v[0].y), x2 = difference(v[2].x, v[0].x), y2 = difference(v[2].y, v[0].y);
-    sum += std::fabs(x1 * y2 - x2 * y1) / (2.0 * kSubpixelOne * kSubpixelOne);
+    area += std::fabs(x1 * y2 - x2 * y1) / (2.0 * kSubpixelOne * kSubpixelOne);
+    height += (std::max({0.0, y1, y2}) - std::min({0.0, y1, y2})) / kSubpixelOne;
   }
-  return looked > 0 ? sum / looked : 0;
+  return looked > 0 ? MeanShape{area / looked, height / looked} : MeanShape{};
 }
 
 }  // namespace
 
 // Measured on a core with 1 MB of second-level cache and 32 MB behind it: planes that come from there cost little, planes that do not
-// cost up to two thirds of the time. Small triangles pay more for bins, and gain nothing where few lie upon one another.
+// cost up to two thirds of the time. Small triangles pay more for bins, and gain nothing where few lie upon one another; high ones are
+// set up once a band.
 uint32_t nearRows(const ValueTriangles& triangles, const ValueTarget& target) {
-  constexpr size_t kBandBytes = size_t{2} << 20, kManyBytes = size_t{24} << 20, kSomeBytes = size_t{12} << 20;
-  constexpr double kSmallArea = 100, kFewLayers = 0.4;
+  constexpr size_t kBandBytes = size_t{2} << 20, kHighBandBytes = size_t{8} << 20, kManyBytes = size_t{24} << 20, kSomeBytes = size_t{12} << 20;
+  constexpr size_t kSomeHighBytes = size_t{20} << 20;
+  constexpr double kSmallArea = 100, kHigh = 256, kFewLayers = 0.4;
   const ValueNeeds& needs = target.needs();
   const size_t rowBytes = sizeof(float) * target.stride() * target.samples() * (size_t{needs.primitive} + size_t{needs.count} + size_t{needs.depth});
   const uint32_t all = (target.height() + 7) / 8 * 8;
   if (rowBytes * target.height() < kSomeBytes) return all;
-  const double area = meanArea(triangles.positions), pixels = static_cast<double>(target.width()) * target.height();
-  if (area * static_cast<double>(triangles.positions.size()) < kFewLayers * pixels) return all;
-  if (rowBytes * target.height() < kManyBytes && area < kSmallArea) return all;
-  return static_cast<uint32_t>(std::max(kBandBytes / rowBytes / 8, size_t{1})) * 8;
+  const MeanShape mean = meanShape(triangles.positions);
+  const bool high = mean.height > kHigh;
+  if (high && rowBytes * target.height() < kSomeHighBytes) return all;
+  const double pixels = static_cast<double>(target.width()) * target.height();
+  if (mean.area * static_cast<double>(triangles.positions.size()) < kFewLayers * pixels) return all;
+  if (rowBytes * target.height() < kManyBytes && mean.area < kSmallArea) return all;
+  return static_cast<uint32_t>(std::max((high ? kHighBandBytes : kBandBytes) / rowBytes / 8, size_t{1})) * 8;
 }
 
 ValueBins::ValueBins(std::span<const SnappedTriangle> triangles, uint32_t firstRow, uint32_t endRow, uint32_t rows) {
