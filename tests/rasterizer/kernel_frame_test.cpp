@@ -97,7 +97,7 @@ TEST(KernelFrame, IsThatOfOneTriangleAfterTheOther) {
         inputs += needsOf(scene).varyings > 0 ? 1U : 0U;
         ++(scene.target.depthFormat ? deep : covered);
         multisampled += scene.target.samples > 1 ? 1U : 0U;
-        cut += needsOf(scene).clipping ? 1U : 0U;
+        cut += needsClipping(scene) ? 1U : 0U;
       }
     }
   }
