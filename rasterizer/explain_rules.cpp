@@ -60,7 +60,7 @@ void addState(RuleList& list, const Scene& scene) {
   list.addIf(anyDraw([](const Draw& draw) { return draw.clipDistanceCount + draw.cullDistanceCount > 0; }), Rule::UserDistance);
   list.addIf(anyDraw([](const Draw& draw) { return draw.clipDistanceCount > 0; }), Rule::Partition);
   list.addIf(state.depthClampEnable || state.depthClipEnable.has_value() || anyDraw(leavesDepthRange), Rule::DepthClip);
-  list.addIf(state.negativeOneToOne || needsOf(scene).clipping, Rule::ViewVolume);
+  list.addIf(state.negativeOneToOne || needsClipping(scene), Rule::ViewVolume);
   list.addIf(scene.target.samples > 1, Rule::SamplePattern);
   list.addIf(scene.scissor.has_value() || !scene.furtherViewports.empty(), Rule::Scissor);
   list.addIf(state.sampleMask != State{}.sampleMask, Rule::SampleMask);

@@ -100,7 +100,7 @@ std::optional<KernelFrame> KernelFrame::of(const Scene& scene, const Rules& rule
   return KernelFrame(scene, needs, rules, pattern);
 }
 
-std::optional<Frame> KernelFrame::draw(unsigned threads, RuleCounts* counts) const {
+std::optional<Frame> KernelFrame::draw(unsigned threads, RuleCounts* counts, const RowsDrawn& drawn) const {
   const bool counted = counts != nullptr;
   const BandRows rows = bandRows(scene_);
   std::vector<RuleCounts> decided(threads);
@@ -116,7 +116,10 @@ std::optional<Frame> KernelFrame::draw(unsigned threads, RuleCounts* counts) con
     std::unique_ptr<KernelInputs> inputs;
     if (!frame.varyings.empty()) inputs = std::make_unique<KernelInputs>(scene_, needs_, rules_, geometry, frame);
     BandDrawer drawer(geometry, frame, pattern_, clear, rows, std::move(inputs));
-    for (uint32_t band = next++; band < bands; band = next++) tallies[thread] += drawer.draw(band, counted);
+    for (uint32_t band = next++; band < bands; band = next++) {
+      tallies[thread] += drawer.draw(band, counted);
+      if (drawn) drawn(frame, band << rows.shift, std::min((band + 1) << rows.shift, frame.height));
+    }
   });
   if (!counted) return frame;
   BandTally all;

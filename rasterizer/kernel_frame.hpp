@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "rasterizer/kernel_band.hpp"
+#include "rasterizer/render.hpp"
 #include "rasterizer/rule_counts.hpp"
 
 namespace rasterdiff::rasterizer {
@@ -17,8 +18,8 @@ class KernelFrame {
 
   /// All planes, on `threads` threads (at least 1): the same for any number. Adds to `counts`, if given, what drawing row by row
   /// counts. None where snapping folded a cut polygon that is not drawn as a fan, or whose overlapping pieces leave open which values a
-  /// sample has.
-  [[nodiscard]] std::optional<Frame> draw(unsigned threads, RuleCounts* counts) const;
+  /// sample has. `drawn` may be empty.
+  [[nodiscard]] std::optional<Frame> draw(unsigned threads, RuleCounts* counts, const RowsDrawn& drawn) const;
 
  private:
   KernelFrame(const Scene& scene, const SceneNeeds& needs, const Rules& rules, std::span<const SubpixelPosition> pattern)

@@ -350,13 +350,13 @@ Result<Frame> renderRowByRow(const Scene& scene, const Rules& profile, RuleCount
   return renderer.take();
 }
 
-Result<Frame> render(const Scene& scene, const Rules& profile, RuleCounts* counts, unsigned threads) {
+Result<Frame> render(const Scene& scene, const Rules& profile, RuleCounts* counts, unsigned threads, const RowsDrawn& drawn) {
   const Rules rules = rulesFor(scene, profile);
   if (const Result<void> valid = validate(scene); !valid) return tl::unexpected<Error>(valid.error());
   const auto pattern = samplePattern(scene.target.samples, rules);
   if (pattern && !scene.target.sampleLocations) {
     if (const auto kernel = KernelFrame::of(scene, rules, *pattern)) {
-      if (std::optional<Frame> frame = kernel->draw(std::max(1U, threads), counts)) return std::move(*frame);
+      if (std::optional<Frame> frame = kernel->draw(std::max(1U, threads), counts, drawn)) return std::move(*frame);
     }
   }
   return renderRowByRow(scene, profile, counts);

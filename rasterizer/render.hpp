@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -15,11 +16,16 @@
 
 namespace rasterdiff::rasterizer {
 
+/// Says that rows [first, end) of `frame` will not change any more. Called by the thread that has drawn them, while they are in its cache.
+using RowsDrawn = std::function<void(const Frame& frame, uint32_t first, uint32_t end)>;
+
 /// Renders `scene` under `rules`. Only the planes of `needsOf(scene)` are allocated, computed or stored; value bounds
 /// are there for every value plane; `coverage` only where `rules.open`. `threads`: the most that it may use, for large scenes;
-/// frame and counts are the same for any number.
+/// frame and counts are the same for any number. `drawn`, if given, may be called by several threads at a time, for each row at most once:
+/// scenes that are not drawn row after row may leave it out. What it is given is no longer that frame when this returns.
 /// Error: an invalid scene (BadInput), or a sample count without standard locations (NotOffered).
-[[nodiscard]] Result<Frame> render(const Scene& scene, const Rules& rules, RuleCounts* counts = nullptr, unsigned threads = 1);
+[[nodiscard]] Result<Frame> render(const Scene& scene, const Rules& rules, RuleCounts* counts = nullptr, unsigned threads = 1,
+                                   const RowsDrawn& drawn = {});
 
 /// The same frame and counts, triangle by triangle and row by row: the definition that the kernels behind render() are held to.
 [[nodiscard]] Result<Frame> renderRowByRow(const Scene& scene, const Rules& rules, RuleCounts* counts = nullptr);

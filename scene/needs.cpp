@@ -21,14 +21,20 @@ SceneNeeds needsOf(const Scene& scene) {
   needs.builtIns = static_cast<uint32_t>(scene.builtIns.size());
   needs.resolve = scene.target.resolve;
   needs.samples = scene.target.samples;
-  for (const Draw& draw : scene.draws) {
-    for (const ClipPosition& p : draw.positions) {
-      needs.perspective |= p.w != 1;
-      needs.clipping |= !insideViewVolume(p, scene.state);
-    }
-    needs.clipping |= !std::all_of(draw.clipDistances.begin(), draw.clipDistances.end(), [](float d) { return d >= 0; });
-  }
   return needs;
+}
+
+bool needsPerspective(const Scene& scene) {
+  return std::ranges::any_of(scene.draws, [](const Draw& draw) {
+    return std::ranges::any_of(draw.positions, [](const ClipPosition& p) { return p.w != 1; });
+  });
+}
+
+bool needsClipping(const Scene& scene) {
+  return std::ranges::any_of(scene.draws, [&](const Draw& draw) {
+    return !std::ranges::all_of(draw.positions, [&](const ClipPosition& p) { return insideViewVolume(p, scene.state); }) ||
+           !std::ranges::all_of(draw.clipDistances, [](float d) { return d >= 0; });
+  });
 }
 
 }  // namespace rasterdiff

@@ -13,11 +13,15 @@ struct SceneNeeds {
   uint32_t varyings = 0;        ///< number of the scene's varyings
   uint32_t builtIns = 0;        ///< number of observed built-ins; planes of values: varyings + builtIns
   bool resolve = false;         ///< each varying has a plane of one value a pixel too
-  bool perspective = false;     ///< some w differs from 1: values need f/w and 1/w
-  bool clipping = false;        ///< some vertex lies outside the clip volume: view volume and clip distances
   uint32_t samples = 1;
 };
 
 [[nodiscard]] SceneNeeds needsOf(const Scene& scene);
+
+// What only a look at every vertex tells.
+/// Some w differs from 1: values need f/w and 1/w.
+[[nodiscard]] bool needsPerspective(const Scene& scene);
+/// Some vertex lies outside the clip volume: view volume and clip distances.
+[[nodiscard]] bool needsClipping(const Scene& scene);
 
 }  // namespace rasterdiff

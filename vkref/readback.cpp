@@ -1,5 +1,5 @@
-// Reads attachments through a small buffer, a batch of rows a submit: while the host takes one batch over, the device
-// brings the next one. What goes through it stays in the cache, and no second copy of a large frame needs memory.
+// Reads attachments through small buffers, a batch of rows a submit: while the host takes one batch over, the device
+// brings the next ones. What goes through it stays in the cache, and no second copy of a large frame needs memory.
 #include "vkref/readback.hpp"
 
 #include <algorithm>
@@ -15,8 +15,14 @@ namespace rasterdiff::vkref {
 namespace {
 
 constexpr VkDeviceSize kPieceAlignment = 256;  ///< no device asks for more of a storage buffer's offset
-/// Copies cost little to begin, and go through the cache; a dispatch of the unpack shader costs lavapipe 0.3 ms.
-constexpr VkDeviceSize kCopiedBytes = VkDeviceSize{2} << 20, kUnpackedBytes = VkDeviceSize{16} << 20;  ///< a batch
+/// How much is on its way.
+struct Flow {
+  VkDeviceSize bytes = 0;  ///< a batch
+  size_t batches = 0;
+};
+/// Copies cost little to begin, and go through the cache: of many, the device has always one that it need not wait for. A
+/// dispatch of the unpack shader costs lavapipe 0.3 ms.
+constexpr Flow kCopied{VkDeviceSize{512} << 10, Submission::kSlots}, kUnpacked{VkDeviceSize{16} << 20, 2};
 
 VkDeviceSize aligned(VkDeviceSize bytes) { return (bytes + kPieceAlignment - 1) / kPieceAlignment * kPieceAlignment; }
 
@@ -83,12 +89,17 @@ Result<void> take(const Batch& batch, const std::byte* mapped) {
 
 /// Error as of readFrame, after which a submit may be pending.
 Result<void> runBatches(std::span<const PlaneSink> sinks, const std::vector<Batch>& batches, ReadbackTools& tools) {
-  const auto slotOf = [](size_t batch) { return batch % Submission::kSlots; };
+  const size_t slots = tools.buffers.size();
+  const auto slotOf = [slots](size_t batch) { return batch % slots; };
   const auto finish = [&](size_t batch) -> Result<void> {
     if (Result<void> waited = tools.submission.wait(slotOf(batch)); !waited) return waited;
     return take(batches[batch], tools.buffers[slotOf(batch)]->mapped);
   };
+  size_t finished = 0;
   for (size_t k = 0; k < batches.size(); ++k) {
+    if (k == finished + slots) {
+      if (Result<void> taken = finish(finished++); !taken) return taken;
+    }
     const Result<VkCommandBuffer> commands = tools.submission.begin(slotOf(k));
     if (!commands) return tl::unexpected(commands.error());
     if (k == 0) {
@@ -98,10 +109,11 @@ Result<void> runBatches(std::span<const PlaneSink> sinks, const std::vector<Batc
     }
     if (Result<void> recorded = recordBatch(batches[k], *commands, tools.buffers[slotOf(k)]->buffer.get(), tools); !recorded) return recorded;
     if (Result<void> submitted = tools.submission.submit(slotOf(k)); !submitted) return submitted;
-    if (k == 0) continue;
-    if (Result<void> finished = finish(k - 1); !finished) return finished;
   }
-  return finish(batches.size() - 1);
+  for (; finished < batches.size(); ++finished) {
+    if (Result<void> taken = finish(finished); !taken) return taken;
+  }
+  return {};
 }
 
 }  // namespace
@@ -141,9 +153,10 @@ Result<Frame> readFrame(const Scene& scene, const RenderPlan& plan, const Attach
     bytes += aligned(sink.rowBytes * sink.image->key.height);
     longestRow = std::max(longestRow, sink.rowBytes);
   }
-  const VkDeviceSize capacity = std::min(bytes, std::max(plan.samples == 1 ? kCopiedBytes : kUnpackedBytes, longestRow));
+  const Flow& flow = plan.samples == 1 ? kCopied : kUnpacked;
+  const VkDeviceSize capacity = std::min(bytes, std::max(flow.bytes, longestRow));
   const std::vector<Batch> batches = batchesOf(sinks, capacity);
-  for (size_t slot = 0; slot < std::min(batches.size(), Submission::kSlots); ++slot) {
+  for (size_t slot = 0; slot < std::min(batches.size(), flow.batches); ++slot) {
     Result<Pool<Buffer>::Lease> buffer =
         acquireBuffer(tools.pool, capacity, VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     if (!buffer) return tl::unexpected(buffer.error());

@@ -1,4 +1,4 @@
-// Two command buffers: each is recorded, submitted, and waited for no longer than a timeout.
+// A few command buffers: each is recorded, submitted, and waited for no longer than a timeout.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@ namespace rasterdiff::vkref {
 
 class Submission {
  public:
-  static constexpr size_t kSlots = 2;  ///< one can be recorded while the other one is executed
+  static constexpr size_t kSlots = 4;  ///< some can be recorded while others are executed
 
   [[nodiscard]] static Result<std::unique_ptr<Submission>> create(const Context& context, double timeoutSeconds);
 
@@ -21,7 +21,7 @@ class Submission {
   [[nodiscard]] Result<void> wait(size_t slot);
   /// Both.
   [[nodiscard]] Result<void> run(size_t slot = 0);
-  /// Waits for whatever is pending, so that both slots can be used again. Errors as of wait().
+  /// Waits for whatever is pending, so that all slots can be used again. Errors as of wait().
   [[nodiscard]] Result<void> drain();
   /// Waits for what a timeout left behind. False: it still runs, and nothing it uses may be destroyed.
   [[nodiscard]] bool settle(double seconds);

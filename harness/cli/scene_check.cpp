@@ -102,17 +102,20 @@ Result<Round> drawAndCompare(const Scene& scene, Subject& subject, const rasteri
 
   entering("reference");
   Stopwatch watch;
-  Result<Frame> reference = rasterizer::render(scene, rules, &round.counts, settings.threads);
+  RowPasses early(scene, rules, round.actual);
+  const auto judge = [&](const Frame& drawn, uint32_t first, uint32_t end) { early.judge(drawn, first, end); };
+  Result<Frame> reference = rasterizer::render(scene, rules, &round.counts, settings.threads, judge);
   if (!reference) return tl::unexpected(reference.error());
   round.reference = std::move(*reference);
-  round.seconds.reference = watch.lap();
+  const double compared = early.seconds() / settings.threads;
+  round.seconds.reference = watch.lap() - compared;
 
   entering("compare");
-  Result<SceneResult> result = compare(scene, rules, round.reference, round.actual, settings.threads);
+  Result<SceneResult> result = compare(scene, rules, round.reference, round.actual, settings.threads, &early);
   if (!result) return tl::unexpected(result.error());
   if (Result<void> judged = judgeJointly(scene, rules, round.reference, round.actual, *result); !judged) return tl::unexpected(judged.error());
   round.result = std::move(*result);
-  round.seconds.compare = watch.lap();
+  round.seconds.compare = compared + watch.lap();
   return round;
 }
 

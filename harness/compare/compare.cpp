@@ -23,7 +23,6 @@ using rasterizer::Candidate;
 using rasterizer::Freedom;
 using rasterizer::SampleQuery;
 
-constexpr size_t kSamplesAtOnce = size_t{1} << 22;   // bounds the memory of questions
 constexpr size_t kQueriesAtOnce = size_t{1} << 18;   // bounds the memory of evidence
 constexpr size_t kSamplesAThread = size_t{1} << 16;  // at least: a thread takes some 20 µs to start
 constexpr size_t kPieceStep = 1024;                  // samples
@@ -40,15 +39,15 @@ std::string whatIsWrong(const SampleDifference& d) {
 class Comparison {
  public:
   Comparison(const Scene& scene, const rasterizer::Rules& rules, const Frame& reference, const Frame& actual)
-      : scene_(scene), rules_(rules), reference_(reference), actual_(actual), pass_(reference, actual, mayOverlapItself(), planeNames(reference)) {
+      : scene_(scene), rules_(rules), reference_(reference), actual_(actual), mayOverlapItself_(mayOverlapItself(scene, rules)), pass_(reference, actual, mayOverlapItself_) {
     if (reference.depth) clearDepth_ = rasterizer::clearedDepth(scene.target.depthClearValue, *scene.target.depthFormat).bounds;
   }
 
-  Result<SceneResult> run(unsigned threads) {
+  Result<SceneResult> run(unsigned threads, const RowPasses* early) {
     result_.id = scene_.name;
     result_.samples = reference_.primitive.data.size();
     for (size_t first = 0; first < result_.samples; first += kSamplesAtOnce) {
-      pass(first, std::min(first + kSamplesAtOnce, static_cast<size_t>(result_.samples)), threads);
+      if (early == nullptr || !early->addTo(pass_)) pass(first, std::min(first + kSamplesAtOnce, static_cast<size_t>(result_.samples)), threads);
       if (std::max(pass_.questions.size(), pass_.overlaps.size()) < kQueriesAtOnce) continue;
       if (Result<void> judged = judgeQueries(); !judged) return tl::unexpected<Error>(judged.error());
     }
@@ -61,29 +60,18 @@ class Comparison {
   }
 
  private:
-  static std::vector<std::string> planeNames(const Frame& reference) {
-    std::vector<std::string> names;
-    if (reference.depth) names.emplace_back("depth");
-    for (const VaryingPlane& varying : reference.varyings) names.push_back(varying.name);
-    for (const VaryingPlane& plane : reference.resolved) names.push_back(plane.name + ".resolved");
-    return names;
-  }
-
   // Each thread has the same number of samples in one piece; the pieces are put together in their order.
   void pass(size_t first, size_t end, unsigned threads) {
     threads = static_cast<unsigned>(std::clamp<size_t>((end - first) / kSamplesAThread, 1, threads));
     if (threads == 1) return pass_.run(first, end);
     const size_t share = (end - first) / threads / kPieceStep * kPieceStep;
-    std::vector<SamplePass> further(threads - 1, SamplePass(reference_, actual_, mayOverlapItself(), planeNames(reference_)));
+    std::vector<SamplePass> further(threads - 1, SamplePass(reference_, actual_, mayOverlapItself_));
     rasterizer::inParallel(threads, [&](unsigned k) {
       const size_t from = first + k * share, to = k + 1 == threads ? end : from + share;
       (k == 0 ? pass_ : further[k - 1]).run(from, to);
     });
     for (const SamplePass& piece : further) pass_.append(piece);
   }
-
-  // Lines and points that outline one triangle may cover a sample together, and which of them do is a freedom.
-  [[nodiscard]] bool mayOverlapItself() const { return rules_.openValues() && scene_.state.polygonMode != PolygonMode::FILL; }
 
   // All that the parts of one primitive that may cover a sample allow there; none if no part may.
   static std::optional<Candidate> merged(const std::vector<Candidate>& candidates, uint32_t primitive) {
@@ -269,39 +257,21 @@ class Comparison {
   SceneResult result_;
   Bounds clearDepth_;
   const bool wholePixels_ = coversWholePixels(scene_);
+  const bool mayOverlapItself_;
   SamplePass pass_;  // its values: depth, varyings, built-ins, resolved planes
   std::vector<SampleDifference> differing_, allowed_;
 };
 
-template <class T>
-bool alike(const Plane<T>& a, const Plane<T>& b) {
-  return a.data.size() == b.data.size() && a.samples == b.samples && a.components == b.components && a.width == b.width;
-}
-
-bool alike(const Frame& a, const Frame& b) {
-  if (!alike(a.primitive, b.primitive) || !alike(a.count, b.count) || a.depth.has_value() != b.depth.has_value() ||
-      a.varyings.size() != b.varyings.size() || a.resolved.size() != b.resolved.size()) {
-    return false;
-  }
-  for (size_t v = 0; v < a.resolved.size(); ++v) {
-    if (!alike(a.resolved[v].values, b.resolved[v].values)) return false;
-  }
-  for (size_t v = 0; v < a.varyings.size(); ++v) {
-    if (!alike(a.varyings[v].values, b.varyings[v].values)) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 Result<SceneResult> compare(const Scene& scene, const rasterizer::Rules& rules, const Frame& reference,
-                            const Frame& actual, unsigned threads) {
+                            const Frame& actual, unsigned threads, const RowPasses* early) {
   if (!alike(reference, actual)) {
     return fail(ErrorCode::BadInput, scene.name, "the two frames do not have the same planes",
                 "both have to be rendered from this scene");
   }
   const rasterizer::Rules applied = rasterizer::rulesFor(scene, rules);
-  return Comparison(scene, applied, reference, actual).run(threads);
+  return Comparison(scene, applied, reference, actual).run(threads, early);
 }
 
 }  // namespace rasterdiff::harness

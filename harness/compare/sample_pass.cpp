@@ -16,7 +16,30 @@ using rasterizer::SampleQuery;
 constexpr size_t kStretch = 128;  // samples
 static_assert(kStretch % kTallyStep == 0);
 
+template <class T>
+bool alike(const Plane<T>& a, const Plane<T>& b) {
+  return a.data.size() == b.data.size() && a.samples == b.samples && a.components == b.components && a.width == b.width;
+}
+
 }  // namespace
+
+bool alike(const Frame& a, const Frame& b) {
+  if (!alike(a.primitive, b.primitive) || !alike(a.count, b.count) || a.depth.has_value() != b.depth.has_value() ||
+      a.varyings.size() != b.varyings.size() || a.resolved.size() != b.resolved.size()) {
+    return false;
+  }
+  for (size_t v = 0; v < a.resolved.size(); ++v) {
+    if (!alike(a.resolved[v].values, b.resolved[v].values)) return false;
+  }
+  for (size_t v = 0; v < a.varyings.size(); ++v) {
+    if (!alike(a.varyings[v].values, b.varyings[v].values)) return false;
+  }
+  return true;
+}
+
+bool mayOverlapItself(const Scene& scene, const rasterizer::Rules& rules) {
+  return rules.openValues() && scene.state.polygonMode != PolygonMode::FILL;
+}
 
 std::vector<ValuePlanes> valuePlanesOf(const Frame& reference, const Frame& actual) {
   std::vector<ValuePlanes> planes;
@@ -29,9 +52,11 @@ std::vector<ValuePlanes> valuePlanesOf(const Frame& reference, const Frame& actu
 
 Bounds hull(Bounds a, Bounds b) { return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)}; }
 
-SamplePass::SamplePass(const Frame& reference, const Frame& actual, bool mayOverlapItself, const std::vector<std::string>& names)
+SamplePass::SamplePass(const Frame& reference, const Frame& actual, bool mayOverlapItself)
     : reference_(reference), actual_(actual), planes_(valuePlanesOf(reference, actual)), mayOverlapItself_(mayOverlapItself) {
-  for (const std::string& name : names) values.emplace_back(name);
+  if (reference.depth) values.emplace_back("depth");
+  for (const VaryingPlane& varying : reference.varyings) values.emplace_back(varying.name);
+  for (const VaryingPlane& plane : reference.resolved) values.emplace_back(plane.name + ".resolved");
 }
 
 void SamplePass::run(size_t first, size_t end) {

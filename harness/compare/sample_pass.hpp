@@ -20,11 +20,19 @@ struct ValuePlanes {
 /// Depth, if there is any, then each varying and built-in.
 [[nodiscard]] std::vector<ValuePlanes> valuePlanesOf(const Frame& reference, const Frame& actual);
 
+/// Have both frames the same planes?
+[[nodiscard]] bool alike(const Frame& a, const Frame& b);
+
+/// Lines and points that outline one triangle may cover a sample together, and which of them do is a freedom.
+[[nodiscard]] bool mayOverlapItself(const Scene& scene, const rasterizer::Rules& rules);
+
+/// More samples are judged one part after the other, which bounds the memory of questions.
+inline constexpr size_t kSamplesAtOnce = size_t{1} << 22;
+
 class SamplePass {
  public:
-  /// `names`: one a plane of valuePlanesOf(), and further ones that are left to others. `mayOverlapItself`: parts of one
-  /// primitive may cover a sample together, so that a value outside of its interval is a question, too.
-  SamplePass(const Frame& reference, const Frame& actual, bool mayOverlapItself, const std::vector<std::string>& names);
+  /// `mayOverlapItself`: parts of one primitive may cover a sample together, so that a value outside of its interval is a question, too.
+  SamplePass(const Frame& reference, const Frame& actual, bool mayOverlapItself);
 
   /// Judges the samples [first, end).
   void run(size_t first, size_t end);
@@ -34,7 +42,7 @@ class SamplePass {
   void compareValues(const rasterizer::SampleQuery& place, size_t index, bool drawn, const rasterizer::Candidate* also = nullptr);
 
   uint64_t same = 0, coveredSamples = 0;
-  std::vector<ValueAccumulator> values;             ///< as the names
+  std::vector<ValueAccumulator> values;             ///< one a plane of valuePlanesOf(), then resolved ones, which are left to others
   std::vector<rasterizer::SampleQuery> questions;  ///< winner or count is another
   std::vector<rasterizer::SampleQuery> overlaps;   ///< values are others, and another part of the winner may be there
 

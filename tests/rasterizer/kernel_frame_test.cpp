@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <string>
+#include <vector>
 
 #include "kernels/every_target.hpp"
 #include "rasterizer/render.hpp"
@@ -97,7 +99,7 @@ TEST(KernelFrame, IsThatOfOneTriangleAfterTheOther) {
         inputs += needsOf(scene).varyings > 0 ? 1U : 0U;
         ++(scene.target.depthFormat ? deep : covered);
         multisampled += scene.target.samples > 1 ? 1U : 0U;
-        cut += needsOf(scene).clipping ? 1U : 0U;
+        cut += needsClipping(scene) ? 1U : 0U;
       }
     }
   }
@@ -134,6 +136,40 @@ TEST(KernelFrame, OfNarrowAndLowTargetsIsThatOfRows) {
         ASSERT_TRUE(served(scene, rules));
         expectSame(render(scene, rules).value(), renderRowByRow(scene, rules).value());
       }
+    }
+  }
+}
+
+// Planes of the rows that somebody is told of, put together, are the frame: all rows are told of, once, when they are done.
+TEST(KernelFrame, TellsOfEachRowWhenItIsDone) {
+  const Rules rules = Rules::profile("reference", Limits{}).value();
+  const auto entry = matchCatalogue("random/half-4x-w1");
+  ASSERT_EQ(entry.size(), 1U);
+  for (const uint32_t height : {1U, 200U, 333U}) {
+    Scene scene = withInputs(withDepth(withoutInputs(entry[0]->remake(5, 900).value())));
+    scene.target.width = 300, scene.target.height = height;
+    scene.viewport = {0, 0, 300, static_cast<float>(height), 0, 1};
+    ASSERT_TRUE(served(scene, rules));
+    for (const unsigned threads : {1U, 3U}) {
+      Frame expected = renderRowByRow(scene, rules).value(), told = expected;
+      std::vector<uint32_t> times(height);
+      const auto take = [&](const Frame& frame, uint32_t first, uint32_t end) {
+        const auto copy = [&](auto& to, const auto& from) {
+          const size_t row = to.data.size() / height;
+          std::copy_n(from.data.begin() + static_cast<std::ptrdiff_t>(first * row), (end - first) * row, to.data.begin() + static_cast<std::ptrdiff_t>(first * row));
+        };
+        for (uint32_t y = first; y < end; ++y) ++times[y];
+        copy(told.primitive, frame.primitive), copy(told.count, frame.count), copy(*told.depth, *frame.depth), copy(*told.depthBounds, *frame.depthBounds);
+        for (size_t v = 0; v < told.varyings.size(); ++v) {
+          copy(told.varyings[v].values, frame.varyings[v].values), copy(*told.varyings[v].bounds, *frame.varyings[v].bounds);
+        }
+      };
+      std::ranges::fill(told.primitive.data, 77);
+      std::ranges::fill(told.count.data, 77);
+      std::ranges::fill(told.depth->data, 77.0F);
+      expectSame(render(scene, rules, nullptr, threads, take).value(), expected);
+      expectSame(told, expected);
+      EXPECT_EQ(times, std::vector<uint32_t>(height, 1));
     }
   }
 }

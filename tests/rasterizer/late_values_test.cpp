@@ -66,7 +66,7 @@ TEST(LateValues, AreThoseOfDrawingAtOnce) {
     if (!waits(scene, rulesNamed("reference"))) continue;
     for (const char* rules : {"reference", "lavapipe"}) expectSameAtOnce(entry, rules);
     // Under open rules a cut triangle may have the planes of the whole one, too: its values do not wait.
-    if (needsOf(scene).clipping) {
+    if (needsClipping(scene)) {
       EXPECT_FALSE(waits(scene, rulesNamed("spec"))) << entry.name;
     } else {
       expectSameAtOnce(entry, "spec");
@@ -74,7 +74,7 @@ TEST(LateValues, AreThoseOfDrawingAtOnce) {
     ++compared;
     deep += needsOf(scene).depth ? 1U : 0U;
     multisampled += scene.target.samples > 1 ? 1U : 0U;
-    cut += needsOf(scene).clipping ? 1U : 0U;
+    cut += needsClipping(scene) ? 1U : 0U;
   }
   EXPECT_GE(compared, 4U);
   EXPECT_GE(deep, 1U);

@@ -128,7 +128,7 @@ TEST(Catalogue, OnlyFamiliesAboutTheViewVolumeAreClipped) {
                              "depth/*", "varying/*", "samples/*", "overlap/*", "order/*", "scissor/*", "point/*",
                              "line-bresenham/*", "line-wide/*", "line-strip/*", "random-lines/*", "random-points/*",
                              "depth-bias/*", "depth-format/*", "resolve/*", "centroid/*"}) {
-    for (const CatalogueEntry* e : matchCatalogue(family)) EXPECT_FALSE(needsOf(made(e->name)).clipping) << e->name;
+    for (const CatalogueEntry* e : matchCatalogue(family)) EXPECT_FALSE(needsClipping(made(e->name))) << e->name;
   }
 }
 
@@ -159,8 +159,8 @@ ViewVolume measure(const Scene& scene) {
 
 TEST(Catalogue, TheBunnyIsWhollyInView) {
   const Scene scene = made("mesh/bunny-1x");
-  EXPECT_FALSE(needsOf(scene).clipping);
-  EXPECT_TRUE(needsOf(scene).perspective);
+  EXPECT_FALSE(needsClipping(scene));
+  EXPECT_TRUE(needsPerspective(scene));
   EXPECT_TRUE(scene.state.depthTestEnable && scene.state.depthWriteEnable);
   EXPECT_EQ(measure(scene).visible, 69666u);
   EXPECT_EQ(made("mesh/bunny-4x").target.samples, 4u);

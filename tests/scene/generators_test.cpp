@@ -62,7 +62,7 @@ TEST(RandomTriangles, LieOnTheirGridAfterTheViewport) {
     for (bool perspective : {false, true}) {
       const Scene scene = randomTriangles({.triangles = 2000, .grid = grid, .samples = 4, .perspective = perspective});
       ASSERT_TRUE(validate(scene).has_value());
-      EXPECT_EQ(needsOf(scene).perspective, perspective);
+      EXPECT_EQ(needsPerspective(scene), perspective);
       for (const ClipPosition& p : scene.draws[0].positions) {
         const double x = (double{p.x} / p.w + 1) * 128 * stepsPerPixel(grid),
                      y = (double{p.y} / p.w + 1) * 128 * stepsPerPixel(grid);
@@ -80,7 +80,7 @@ size_t clippedTriangles(const Scene& scene) {
   const std::vector<ClipPosition>& all = scene.draws[0].positions;
   for (size_t i = 0; i + 2 < all.size(); i += 3) {
     one.draws = {Draw{.positions = {all[i], all[i + 1], all[i + 2]}}};
-    count += needsOf(one).clipping;
+    count += needsClipping(one);
   }
   return count;
 }
@@ -140,8 +140,8 @@ TEST(SharedEdges, MostVerticesLieOnSamples) {
       const Scene scene = sharedEdges({.mesh = mesh, .samples = samples, .extent = 128, .pieces = 24});
       ASSERT_TRUE(validate(scene).has_value());
       EXPECT_GT(onSamples(scene) * 2, scene.draws[0].positions.size());
-      EXPECT_FALSE(needsOf(scene).clipping);
-      EXPECT_FALSE(needsOf(scene).perspective);
+      EXPECT_FALSE(needsClipping(scene));
+      EXPECT_FALSE(needsPerspective(scene));
     }
   }
 }

@@ -18,7 +18,7 @@ bool isMultiple(float value, float step) { return std::fmod(value, step) == 0; }
 TEST(RandomLines, LieOnTheirGridInsideTheVolume) {
   const Scene scene = randomLines({.seed = 7});
   ASSERT_TRUE(validate(scene).has_value());
-  EXPECT_FALSE(needsOf(scene).clipping);
+  EXPECT_FALSE(needsClipping(scene));
   EXPECT_EQ(primitiveCount(scene.state, scene.draws[0]), 400u);
   for (const ClipPosition& p : scene.draws[0].positions) {
     EXPECT_TRUE(isMultiple(pixels(p.x), 1.0f / 16)) << p.x;
@@ -47,7 +47,7 @@ TEST(RandomLines, HaveEveryKind) {
 TEST(RandomPoints, LieOnTheirGridAndHaveTheSizesAskedFor) {
   const Scene scene = randomPoints({.seed = 9, .smallest = 0.5f, .largest = 16});
   ASSERT_TRUE(validate(scene).has_value());
-  EXPECT_FALSE(needsOf(scene).clipping);
+  EXPECT_FALSE(needsClipping(scene));
   const Draw& draw = scene.draws[0];
   ASSERT_EQ(draw.pointSizes.size(), 400u);
   for (const ClipPosition& p : draw.positions) EXPECT_TRUE(isMultiple(pixels(p.x), 1.0f / 16)) << p.x;

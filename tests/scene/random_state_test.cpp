@@ -20,7 +20,7 @@ TEST(RandomStrips, HaveAtLeastThePrimitivesAskedForInsideTheVolume) {
     const uint32_t made = primitiveCount(scene.state, scene.draws[0]);
     EXPECT_GE(made, 300u);
     EXPECT_LE(made, 309u);
-    EXPECT_FALSE(needsOf(scene).clipping);
+    EXPECT_FALSE(needsClipping(scene));
     EXPECT_EQ(scene, randomStrips({.seed = 5, .primitives = 300, .topology = topology}));
     EXPECT_NE(scene.draws, randomStrips({.seed = 6, .primitives = 300, .topology = topology}).draws);
   }

@@ -317,8 +317,8 @@ TEST(NeedsOf, ACoverageOnlySceneNeedsNothingElse) {
   const SceneNeeds needs = needsOf(scene);
   EXPECT_FALSE(needs.depth);
   EXPECT_EQ(needs.varyings, 0u);
-  EXPECT_FALSE(needs.perspective);
-  EXPECT_FALSE(needs.clipping);
+  EXPECT_FALSE(needsPerspective(scene));
+  EXPECT_FALSE(needsClipping(scene));
   EXPECT_EQ(needs.samples, 1u);
 }
 
@@ -328,8 +328,8 @@ TEST(NeedsOf, EachNeedFollowsFromTheScene) {
   scene.target.depthFormat = DepthFormat::D32_SFLOAT;
   EXPECT_TRUE(needsOf(scene).depth);
   scene.draws[0].positions[0].w = 2;
-  EXPECT_TRUE(needsOf(scene).perspective);
-  EXPECT_FALSE(needsOf(scene).clipping);
+  EXPECT_TRUE(needsPerspective(scene));
+  EXPECT_FALSE(needsClipping(scene));
 }
 
 TEST(NeedsOf, BuiltInsAndResolveArePlanesOfTheirOwn) {
@@ -346,16 +346,16 @@ TEST(NeedsOf, NegativeClipDistancesClipAndDepthsDoNotWithoutDepthClip) {
   Scene scene = valid();
   scene.draws[0].clipDistanceCount = 1;
   scene.draws[0].clipDistances = {0, -0.0f, 1};
-  EXPECT_FALSE(needsOf(scene).clipping);
+  EXPECT_FALSE(needsClipping(scene));
   scene.draws[0].clipDistances = {0, -1e-30f, 1};
-  EXPECT_TRUE(needsOf(scene).clipping);
+  EXPECT_TRUE(needsClipping(scene));
   scene = valid();
   scene.draws[0].positions[0].z = 2;
-  EXPECT_TRUE(needsOf(scene).clipping);
+  EXPECT_TRUE(needsClipping(scene));
   scene.state.depthClampEnable = true;
-  EXPECT_FALSE(needsOf(scene).clipping);
+  EXPECT_FALSE(needsClipping(scene));
   scene.state.depthClipEnable = true;
-  EXPECT_TRUE(needsOf(scene).clipping);
+  EXPECT_TRUE(needsClipping(scene));
 }
 
 TEST(NeedsOf, ClippingIsAboutTheSixPlanesAndTheirBoundaryIsInside) {
@@ -363,7 +363,7 @@ TEST(NeedsOf, ClippingIsAboutTheSixPlanesAndTheirBoundaryIsInside) {
     Scene scene = valid();
     scene.state.negativeOneToOne = negativeOneToOne;
     scene.draws[0].positions[1] = p;
-    return needsOf(scene).clipping;
+    return needsClipping(scene);
   };
   EXPECT_FALSE(clips({-1, 1, 0, 1}));
   EXPECT_FALSE(clips({2, -2, 2, 2}));
