@@ -86,7 +86,8 @@ HWY_INLINE hn::Vec<ChunkF> ChunkDepth(const ChunkPlane& p, size_t first) {
 }
 
 /// Writes pixels [i, i + kChunkLanes) of the planes where `mask` says so and depth passes. Whole vectors are stored: a load
-/// that follows a masked store of the same place would wait for it. Returns the depths that are there now.
+/// that follows a masked store of the same place would wait for it. Numbers need not be loaded where a store can be masked. Returns the
+/// depths that are there now.
 template <class P>
 HWY_INLINE hn::Vec<ChunkF> WriteChunk(const ValueView& view, size_t i, hn::Mask<ChunkF> mask, hn::Vec<ChunkF> depth, uint32_t number) {
   const ChunkF df;
@@ -113,7 +114,11 @@ HWY_INLINE hn::Vec<ChunkF> WriteChunk(const ValueView& view, size_t i, hn::Mask<
     hn::StoreU(depth, df, view.depth + i);
   }
   const auto which = hn::RebindMask(du, mask);
+#if HWY_TARGET <= HWY_AVX3
+  if (P::kPrimitive) _mm256_mask_storeu_epi32(view.primitive + i, which.raw, _mm256_set1_epi32(static_cast<int>(number)));
+#else
   if (P::kPrimitive) hn::StoreU(hn::IfThenElse(which, hn::Set(du, number), hn::LoadU(du, view.primitive + i)), du, view.primitive + i);
+#endif
   if (P::kCount) {
     const auto old = hn::LoadU(du, view.count + i);
     hn::StoreU(hn::IfThenElse(which, old + hn::Set(du, 1), old), du, view.count + i);
@@ -121,11 +126,11 @@ HWY_INLINE hn::Vec<ChunkF> WriteChunk(const ValueView& view, size_t i, hn::Mask<
   return depth;
 }
 
-/// Fetches element `i` of the planes. Always inlined: GCC finds that a function that only fetches does nothing, and drops calls of it.
+/// Fetches element `i` of the planes that are loaded. Always inlined: GCC finds that a function that only fetches does nothing, and drops calls of it.
 template <class P>
 HWY_INLINE void PrefetchPlanes(const ValueView& view, size_t i) {
   if (P::kDepth) __builtin_prefetch(view.depth + i, 1);
-  if (P::kPrimitive) __builtin_prefetch(view.primitive + i, 1);
+  if (P::kPrimitive && HWY_TARGET > HWY_AVX3) __builtin_prefetch(view.primitive + i, 1);
   if (P::kCount) __builtin_prefetch(view.count + i, 1);
 }
 
