@@ -28,6 +28,7 @@ class DeviceSubject final : public Subject {
   std::string info() const override { return device_->driver().info; }
   const Limits& limits() const override { return device_->limits(); }
   Result<Frame> render(const Scene& scene) override { return vkref::render(scene, *device_); }
+  std::vector<Result<Frame>> renderTogether(std::span<const Scene> scenes) override { return vkref::renderTogether(scenes, *device_); }
   std::optional<DriverSeconds> driverSeconds() const override {
     const vkref::RenderCost& cost = device_->lastCost();
     return DriverSeconds{cost.drawSeconds, cost.pipelineSeconds, cost.uploadSeconds, cost.readbackSeconds};
@@ -148,6 +149,12 @@ Result<std::unique_ptr<Subject>> openSynthetic(const SubjectOptions& options, st
 }
 
 }  // namespace
+
+std::vector<Result<Frame>> Subject::renderTogether(std::span<const Scene> scenes) {
+  std::vector<Result<Frame>> frames;
+  for (const Scene& scene : scenes) frames.push_back(render(scene));
+  return frames;
+}
 
 std::string subjectLine(const Subject& subject) {
   std::string line = subject.name();

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,7 +31,9 @@ class Subject {
   [[nodiscard]] virtual std::string info() const = 0;  ///< exact version
   [[nodiscard]] virtual const Limits& limits() const = 0;
   [[nodiscard]] virtual Result<Frame> render(const Scene& scene) = 0;
-  /// Where the time of the last successful render() went; none where only the whole call is known.
+  /// The same of many scenes, each as if it were drawn alone; a device draws many by one submit.
+  [[nodiscard]] virtual std::vector<Result<Frame>> renderTogether(std::span<const Scene> scenes);
+  /// Where the time of the last render() or renderTogether() went; none where only the whole call is known.
   [[nodiscard]] virtual std::optional<DriverSeconds> driverSeconds() const { return std::nullopt; }
   /// Validation messages so far; empty is clean.
   [[nodiscard]] virtual std::vector<std::string> validationMessages() const { return {}; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,7 @@ struct DriverInfo {
   std::string library;     ///< the shared object that was really loaded (a manifest may name a bare file)
 };
 
-/// What the last render() made on the driver's side: how a test knows that nothing unneeded was asked for.
+/// What the last render() or renderTogether() made on the driver's side: how a test knows that nothing unneeded was asked for.
 /// Bytes are those of texels and of planes, without a driver's padding; images and buffers of earlier scenes are reused
 /// and count as if they were new.
 struct RenderCost {
@@ -80,5 +81,9 @@ struct DriverCandidate {
 /// Draws `scene` on `device` and reads back every sample. Error: NotOffered (the scene needs what the device lacks),
 /// DeviceLost, TimedOut (the device must then be closed).
 [[nodiscard]] Result<Frame> render(const Scene& scene, Device& device);
+
+/// The same of many scenes: as many as fit a bound of memory are drawn by one submit, and read back together. Each has the
+/// frame or the error that it would have alone; what is lost with a submit is lost for all of its scenes.
+[[nodiscard]] std::vector<Result<Frame>> renderTogether(std::span<const Scene> scenes, Device& device);
 
 }  // namespace rasterdiff::vkref

@@ -26,8 +26,8 @@ struct Device::Impl {
   std::unique_ptr<Submission> submission;
   std::unique_ptr<Pool<Image>> images;
   std::unique_ptr<Pool<Buffer>> buffers;
-  /// Of a scene whose submit timed out: the device may still use them.
-  Attachments abandonedAttachments;
+  /// Of scenes whose submit timed out: the device may still use them.
+  std::vector<Attachments> abandonedAttachments;
   std::vector<Pool<Buffer>::Lease> abandonedBuffers;
   std::optional<Error> broken;  ///< set by DeviceLost and TimedOut: no further scene is drawn
   RenderCost cost;

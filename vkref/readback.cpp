@@ -3,7 +3,7 @@
 #include "vkref/readback.hpp"
 
 #include <algorithm>
-#include <span>
+#include <iterator>
 
 #include "vkref/commands.hpp"
 #include "vkref/geometry.hpp"
@@ -143,17 +143,22 @@ void recordHostBarrier(const Context& context, VkCommandBuffer commands) {
   context.vk.vkCmdPipelineBarrier2(commands, &info);
 }
 
-Result<Frame> readFrame(const Scene& scene, const RenderPlan& plan, const Attachments& attachments, DepthFetch fetch,
-                        ReadbackTools& tools, RenderCost& cost) {
-  Frame frame;
-  const std::vector<PlaneSink> sinks = planeSinks(scene, plan, attachments, fetch, frame);
+Result<std::vector<Frame>> readFrames(std::span<const DrawnScene> drawn, ReadbackTools& tools, RenderCost& cost) {
+  std::vector<Frame> frames(drawn.size());
+  std::vector<PlaneSink> sinks;
+  bool unpacked = false;
+  for (size_t i = 0; i < drawn.size(); ++i) {
+    std::vector<PlaneSink> own = planeSinks(*drawn[i].scene, *drawn[i].plan, *drawn[i].attachments, drawn[i].fetch, frames[i]);
+    std::move(own.begin(), own.end(), std::back_inserter(sinks));
+    unpacked |= drawn[i].plan->samples > 1;
+  }
   VkDeviceSize bytes = 0, longestRow = 0;
   for (const PlaneSink& sink : sinks) {
     cost.readbackBytes += sink.rowBytes * sink.image->key.height;
     bytes += aligned(sink.rowBytes * sink.image->key.height);
     longestRow = std::max(longestRow, sink.rowBytes);
   }
-  const Flow& flow = plan.samples == 1 ? kCopied : kUnpacked;
+  const Flow& flow = unpacked ? kUnpacked : kCopied;
   const VkDeviceSize capacity = std::min(bytes, std::max(flow.bytes, longestRow));
   const std::vector<Batch> batches = batchesOf(sinks, capacity);
   for (size_t slot = 0; slot < std::min(batches.size(), flow.batches); ++slot) {
@@ -168,7 +173,7 @@ Result<Frame> readFrame(const Scene& scene, const RenderPlan& plan, const Attach
     const Result<void> drained = tools.submission.drain();
     return tl::unexpected(drained ? run.error() : drained.error());
   }
-  return frame;
+  return frames;
 }
 
 }  // namespace rasterdiff::vkref

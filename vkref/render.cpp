@@ -1,4 +1,4 @@
-// One scene on one device: plan, upload, draw, read back.
+// Scenes on one device: plan, upload, draw, read back; one, or some by one submit.
 #include <algorithm>
 #include <iterator>
 #include <new>
@@ -12,104 +12,238 @@
 namespace rasterdiff::vkref {
 namespace {
 
+constexpr uint64_t kTogetherBytes = uint64_t{32} << 20;  ///< of the planes of scenes that are drawn by one submit
+constexpr size_t kTogether = 64;                          ///< scenes, at most
+
 /// The device may still use whatever it was given, and can draw no further scene.
 bool isLost(const Error& error) { return error.code == ErrorCode::DeviceLost || error.code == ErrorCode::TimedOut; }
 
-Result<Frame> draw(const Scene& scene, Device::Impl& impl) {
-  Stopwatch watch;
-  RenderCost& cost = impl.cost;
-  cost = {};
-  const Context& context = *impl.context;
-  const uint32_t pipelinesBefore = impl.pipelines->created() + impl.unpack->created();
-  double pipelineSecondsBefore = impl.pipelines->seconds() + impl.unpack->seconds();
-  // Time since the last lap that no pipeline took.
-  const auto lapWithoutPipelines = [&] {
-    const double pipelineSeconds = impl.pipelines->seconds() + impl.unpack->seconds() - pipelineSecondsBefore;
-    pipelineSecondsBefore += pipelineSeconds;
-    cost.pipelineSeconds += pipelineSeconds;
-    return watch.lap() - pipelineSeconds;
-  };
-  if (const Result<void> valid = validate(scene); !valid) return tl::unexpected(valid.error());
-  const RenderPlan plan = planOf(scene, context.caps);
-  if (const Result<void> offered = checkOffered(scene, plan, context.caps); !offered) {
-    return tl::unexpected(offered.error());
-  }
+/// A scene with all that its draws need.
+struct Prepared {
+  const Scene* scene = nullptr;
+  RenderPlan plan;
   DepthFetch fetch = DepthFetch::Quotient;
-  if (plan.depth != VK_FORMAT_UNDEFINED && plan.samples > 1) {
-    const Result<DepthFetch> asked = impl.depthFetches->of(plan.depth, plan.samples, *impl.images, *impl.buffers,
+  Geometry geometry;
+  Attachments attachments;
+};
+
+PrimitiveSource primitiveSource(const Context& context) {
+  return context.caps.core().geometryShader ? PrimitiveSource::Builtin : PrimitiveSource::Vertex;
+}
+
+Result<Prepared> prepare(const Scene& scene, Device::Impl& impl) {
+  const Context& context = *impl.context;
+  if (const Result<void> valid = validate(scene); !valid) return tl::unexpected(valid.error());
+  Prepared made;
+  made.scene = &scene;
+  made.plan = planOf(scene, context.caps);
+  if (const Result<void> offered = checkOffered(scene, made.plan, context.caps); !offered) return tl::unexpected(offered.error());
+  if (made.plan.depth != VK_FORMAT_UNDEFINED && made.plan.samples > 1) {
+    const Result<DepthFetch> asked = impl.depthFetches->of(made.plan.depth, made.plan.samples, *impl.images, *impl.buffers,
                                                            *impl.submission, *impl.unpack);
     if (!asked) return tl::unexpected(asked.error());
-    fetch = *asked;
+    made.fetch = *asked;
   }
-  const PrimitiveSource primitives =
-      context.caps.core().geometryShader ? PrimitiveSource::Builtin : PrimitiveSource::Vertex;
-  Result<Geometry> geometry = upload(scene, primitives == PrimitiveSource::Vertex, *impl.buffers);
+  Result<Geometry> geometry = upload(scene, primitiveSource(context) == PrimitiveSource::Vertex, *impl.buffers);
   if (!geometry) return tl::unexpected(geometry.error());
-  Result<Attachments> attachments = acquireAttachments(plan, *impl.images, cost);
+  made.geometry = std::move(*geometry);
+  Result<Attachments> attachments = acquireAttachments(made.plan, *impl.images, impl.cost);
   if (!attachments) return tl::unexpected(attachments.error());
-  const auto abandon = [&] {
-    impl.abandonedAttachments = std::move(*attachments);
-    impl.abandonedBuffers.push_back(std::move(geometry->buffer));
-  };
-
-  const Result<VkCommandBuffer> draws = impl.submission->begin();
-  if (!draws) return tl::unexpected(draws.error());
-  const Result<void> recorded =
-      recordDraws(context, *draws, scene, plan, *attachments, *geometry, primitives, *impl.pipelines);
-  if (!recorded) return tl::unexpected(recorded.error());
-  cost.passes = static_cast<uint32_t>(plan.passes.size());
-  cost.uploadSeconds = lapWithoutPipelines();
-  if (const Result<void> drawn = impl.submission->run(); !drawn) {
-    abandon();
-    return tl::unexpected(drawn.error());
-  }
-  cost.drawSeconds = watch.lap();
-
-  std::vector<Pool<Buffer>::Lease> buffers;
-  ReadbackTools tools{context, *impl.submission, *impl.buffers, *impl.unpack, buffers};
-  Result<Frame> frame = readFrame(scene, plan, *attachments, fetch, tools, cost);
-  cost.pipelinesCreated = impl.pipelines->created() + impl.unpack->created() - pipelinesBefore;
-  cost.readbackSeconds = lapWithoutPipelines();
-  if (!frame && isLost(frame.error())) {
-    abandon();
-    std::move(buffers.begin(), buffers.end(), std::back_inserter(impl.abandonedBuffers));
-  }
-  return frame;
+  made.attachments = std::move(*attachments);
+  return made;
 }
+
+/// Some scenes by one submit, with their frames or errors by place.
+class Together {
+ public:
+  explicit Together(Device::Impl& impl)
+      : impl_(impl), pipelinesBefore_(impl.pipelines->created() + impl.unpack->created()), pipelineSeconds_(pipelineSeconds()) {}
+
+  std::vector<Result<Frame>> draw(std::span<const Scene* const> scenes) {
+    frames_.resize(scenes.size());
+    places_.clear();
+    prepared_.reserve(scenes.size());
+    for (size_t i = 0; i < scenes.size(); ++i) {
+      Result<Prepared> made = prepare(*scenes[i], impl_);
+      if (made) {
+        prepared_.push_back(std::move(*made));
+        places_.push_back(i);
+      } else {
+        frames_[i] = tl::unexpected(made.error());
+      }
+    }
+    if (const Result<void> drawn = drawPrepared(); !drawn) fail(drawn.error());
+    impl_.cost.pipelinesCreated += impl_.pipelines->created() + impl_.unpack->created() - pipelinesBefore_;
+    return std::move(frames_);
+  }
+
+ private:
+  [[nodiscard]] double pipelineSeconds() const { return impl_.pipelines->seconds() + impl_.unpack->seconds(); }
+
+  /// Time since the last lap that no pipeline took.
+  double lapWithoutPipelines() {
+    const double made = pipelineSeconds() - pipelineSeconds_;
+    pipelineSeconds_ += made;
+    impl_.cost.pipelineSeconds += made;
+    return watch_.lap() - made;
+  }
+
+  Result<void> drawPrepared() {
+    const Result<VkCommandBuffer> commands = impl_.submission->begin();
+    if (!commands) return tl::unexpected(commands.error());
+    for (size_t k = 0; k < prepared_.size();) {
+      const Prepared& made = prepared_[k];
+      const Result<void> recorded = recordDraws(*impl_.context, *commands, *made.scene, made.plan, made.attachments, made.geometry,
+                                                primitiveSource(*impl_.context), *impl_.pipelines);
+      if (recorded) {
+        impl_.cost.passes += static_cast<uint32_t>(made.plan.passes.size());
+        ++k;
+        continue;
+      }
+      // What it recorded before is drawn, and read by nobody.
+      frames_[places_[k]] = tl::unexpected(recorded.error());
+      unread_.push_back(std::move(prepared_[k]));
+      prepared_.erase(prepared_.begin() + static_cast<std::ptrdiff_t>(k));
+      places_.erase(places_.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+    impl_.cost.uploadSeconds += lapWithoutPipelines();
+    if (prepared_.empty()) return {};
+    if (const Result<void> drawn = impl_.submission->run(); !drawn) {
+      abandon();
+      return drawn;
+    }
+    impl_.cost.drawSeconds += watch_.lap();
+    return read();
+  }
+
+  Result<void> read() {
+    std::vector<DrawnScene> drawn;
+    for (const Prepared& made : prepared_) drawn.push_back({made.scene, &made.plan, &made.attachments, made.fetch});
+    std::vector<Pool<Buffer>::Lease> buffers;
+    ReadbackTools tools{*impl_.context, *impl_.submission, *impl_.buffers, *impl_.unpack, buffers};
+    Result<std::vector<Frame>> read = readFrames(drawn, tools, impl_.cost);
+    impl_.cost.readbackSeconds += lapWithoutPipelines();
+    if (read) {
+      for (size_t k = 0; k < places_.size(); ++k) frames_[places_[k]] = std::move((*read)[k]);
+      return {};
+    }
+    if (isLost(read.error())) {
+      abandon();
+      std::move(buffers.begin(), buffers.end(), std::back_inserter(impl_.abandonedBuffers));
+    }
+    return tl::unexpected(read.error());
+  }
+
+  void abandon() {
+    for (std::vector<Prepared>* all : {&prepared_, &unread_}) {
+      for (Prepared& made : *all) {
+        impl_.abandonedAttachments.push_back(std::move(made.attachments));
+        impl_.abandonedBuffers.push_back(std::move(made.geometry.buffer));
+      }
+    }
+  }
+
+  /// Whose the error is, is known of one scene, and does not matter if the device is lost.
+  void fail(const Error& error) {
+    if (isLost(error) || places_.size() == 1) {
+      for (const size_t place : places_) frames_[place] = tl::unexpected(error);
+      return;
+    }
+    for (size_t k = 0; k < places_.size(); ++k) {
+      const Scene* const scene = prepared_[k].scene;
+      frames_[places_[k]] = std::move(Together(impl_).draw(std::span(&scene, 1)).front());
+    }
+  }
+
+  Device::Impl& impl_;
+  Stopwatch watch_;
+  uint32_t pipelinesBefore_;
+  double pipelineSeconds_;
+  std::vector<Result<Frame>> frames_;
+  std::vector<Prepared> prepared_, unread_;
+  std::vector<size_t> places_;  // of those that are prepared
+};
 
 // Nothing that was drawn before may take part in a scene. What llvmpipe does with points outside of a side plane is decided
 // for good by the first point that leaves any plane, and by whether the vertex shader of that one chose a viewport: so that
 // all scenes are drawn alike, it is always the same one.
-Result<void> beginPoints(const Scene& scene, Device::Impl& impl) {
-  if (impl.pointsBegun || !drawsPoints(scene.state)) return {};
+Result<void> beginPoints(std::span<const Scene* const> scenes, Device::Impl& impl) {
+  if (impl.pointsBegun || std::ranges::none_of(scenes, [](const Scene* scene) { return drawsPoints(scene->state); })) return {};
   impl.pointsBegun = true;
   Scene first;
   first.target.width = first.target.height = 1;
   first.viewport = {0, 0, 1, 1, 0, 1};
   first.state.topology = PrimitiveTopology::POINT_LIST;
   first.draws.push_back({.positions = {{0, 0, 2, 1}}});
-  if (const Result<Frame> drawn = draw(first, impl); !drawn) return tl::unexpected(drawn.error());
+  const Scene* const scene = &first;
+  const Result<Frame> drawn = std::move(Together(impl).draw(std::span(&scene, 1)).front());
+  impl.cost = {};
+  if (!drawn) return tl::unexpected(drawn.error());
   return {};
 }
 
-Result<Frame> drawAlone(const Scene& scene, Device::Impl& impl) {
-  if (const Result<void> begun = beginPoints(scene, impl); !begun) return tl::unexpected(begun.error());
-  return draw(scene, impl);
+/// Scenes [first, end) by one submit.
+void drawGroup(std::span<const Scene* const> scenes, Device::Impl& impl, std::vector<Result<Frame>>& frames) {
+  std::vector<Result<Frame>> drawn;
+  const auto forAll = [&](const Error& error) {
+    drawn.assign(scenes.size(), Result<Frame>(tl::unexpected(error)));
+  };
+  try {
+    if (impl.broken) {
+      forAll(*impl.broken);
+    } else if (const Result<void> begun = beginPoints(scenes, impl); !begun) {
+      forAll(begun.error());
+    } else {
+      drawn = Together(impl).draw(scenes);
+    }
+  } catch (const std::bad_alloc&) {
+    forAll({ErrorCode::NotOffered, "memory", "the frame needs more host memory than there is",
+            "make the target smaller, or take fewer samples or varyings"});
+  }
+  for (Result<Frame>& frame : drawn) {
+    if (!frame && isLost(frame.error())) impl.broken = frame.error();
+    frames.push_back(std::move(frame));
+  }
+}
+
+/// Of its planes, roughly; of a scene that is not valid, any.
+uint64_t bytesOf(const Scene& scene) {
+  uint64_t components = scene.target.depthFormat ? 3 : 2;
+  if (!scene.draws.empty()) {
+    for (const Varying& varying : scene.draws[0].varyings) components += varying.components;
+  }
+  return uint64_t{scene.target.width} * scene.target.height * scene.target.samples * 4 * (components + 4 * scene.builtIns.size());
 }
 
 }  // namespace
 
 Result<Frame> render(const Scene& scene, Device& device) {
-  Device::Impl& impl = device.impl();
-  if (impl.broken) return tl::unexpected(*impl.broken);
-  try {
-    Result<Frame> frame = drawAlone(scene, impl);
-    if (!frame && isLost(frame.error())) impl.broken = frame.error();
-    return frame;
-  } catch (const std::bad_alloc&) {
-    return fail(ErrorCode::NotOffered, "memory", "the frame needs more host memory than there is",
-                "make the target smaller, or take fewer samples or varyings");
+  device.impl().cost = {};
+  std::vector<Result<Frame>> frames;
+  const Scene* const one = &scene;
+  drawGroup(std::span(&one, 1), device.impl(), frames);
+  return std::move(frames.front());
+}
+
+std::vector<Result<Frame>> renderTogether(std::span<const Scene> scenes, Device& device) {
+  device.impl().cost = {};
+  std::vector<Result<Frame>> frames;
+  frames.reserve(scenes.size());
+  std::vector<const Scene*> group;
+  uint64_t bytes = 0;
+  const auto draw = [&] {
+    if (!group.empty()) drawGroup(group, device.impl(), frames);
+    group.clear();
+    bytes = 0;
+  };
+  for (const Scene& scene : scenes) {
+    const uint64_t own = bytesOf(scene);
+    if (group.size() == kTogether || own > kTogetherBytes - std::min(bytes, kTogetherBytes)) draw();
+    group.push_back(&scene);
+    bytes += std::min(own, kTogetherBytes);
   }
+  draw();
+  return frames;
 }
 
 }  // namespace rasterdiff::vkref

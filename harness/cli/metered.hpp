@@ -14,6 +14,7 @@ class MeteredSubject final : public Subject {
   std::string info() const override { return subject_.info(); }
   const Limits& limits() const override { return subject_.limits(); }
   Result<Frame> render(const Scene& scene) override;
+  std::vector<Result<Frame>> renderTogether(std::span<const Scene> scenes) override;
   std::optional<DriverSeconds> driverSeconds() const override { return subject_.driverSeconds(); }
   std::vector<std::string> validationMessages() const override { return subject_.validationMessages(); }
   std::vector<std::pair<std::string, std::string>> details() const override { return subject_.details(); }
@@ -22,6 +23,9 @@ class MeteredSubject final : public Subject {
   [[nodiscard]] const Seconds& seconds() const { return seconds_; }
 
  private:
+  /// Adds what a call took; `drew`: something came of it.
+  void add(double seconds, bool drew);
+
   Subject& subject_;
   Seconds seconds_;
 };
