@@ -108,8 +108,10 @@ HWY_INLINE hn::Vec<ChunkF> WriteChunk(const ValueView& view, size_t i, hn::Mask<
       hn::StoreU(depth, df, view.depth + i);
       return depth;
     }
-#endif
+    mask.raw = _mm256_mask_cmp_ps_mask(mask.raw, depth.raw, old.raw, _CMP_LT_OQ);
+#else
     mask = hn::And(mask, hn::Lt(depth, old));
+#endif
     depth = hn::IfThenElse(mask, depth, old);
     hn::StoreU(depth, df, view.depth + i);
   }
