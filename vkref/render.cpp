@@ -21,6 +21,7 @@ bool isLost(const Error& error) { return error.code == ErrorCode::DeviceLost || 
 /// A scene with all that its draws need.
 struct Prepared {
   const Scene* scene = nullptr;
+  size_t place = 0;  ///< among those that are drawn together
   RenderPlan plan;
   DepthFetch fetch = DepthFetch::Quotient;
   Geometry geometry;
@@ -31,11 +32,12 @@ PrimitiveSource primitiveSource(const Context& context) {
   return context.caps.core().geometryShader ? PrimitiveSource::Builtin : PrimitiveSource::Vertex;
 }
 
-Result<Prepared> prepare(const Scene& scene, Device::Impl& impl) {
+Result<Prepared> prepare(const Scene& scene, size_t place, Device::Impl& impl) {
   const Context& context = *impl.context;
   if (const Result<void> valid = validate(scene); !valid) return tl::unexpected(valid.error());
   Prepared made;
   made.scene = &scene;
+  made.place = place;
   made.plan = planOf(scene, context.caps);
   if (const Result<void> offered = checkOffered(scene, made.plan, context.caps); !offered) return tl::unexpected(offered.error());
   if (made.plan.depth != VK_FORMAT_UNDEFINED && made.plan.samples > 1) {
@@ -61,18 +63,19 @@ class Together {
 
   std::vector<Result<Frame>> draw(std::span<const Scene* const> scenes) {
     frames_.resize(scenes.size());
-    places_.clear();
-    prepared_.reserve(scenes.size());
+    std::vector<Prepared> prepared;
     for (size_t i = 0; i < scenes.size(); ++i) {
-      Result<Prepared> made = prepare(*scenes[i], impl_);
+      Result<Prepared> made = prepare(*scenes[i], i, impl_);
       if (made) {
-        prepared_.push_back(std::move(*made));
-        places_.push_back(i);
+        prepared.push_back(std::move(*made));
+      } else if (isLost(made.error())) {
+        frames_.assign(scenes.size(), tl::unexpected(made.error()));
+        return std::move(frames_);
       } else {
         frames_[i] = tl::unexpected(made.error());
       }
     }
-    if (const Result<void> drawn = drawPrepared(); !drawn) fail(drawn.error());
+    if (const Result<void> drawn = drawAll(std::move(prepared)); !drawn) give(drawn.error());
     impl_.cost.pipelinesCreated += impl_.pipelines->created() + impl_.unpack->created() - pipelinesBefore_;
     return std::move(frames_);
   }
@@ -88,26 +91,26 @@ class Together {
     return watch_.lap() - made;
   }
 
-  Result<void> drawPrepared() {
+  Result<void> drawAll(std::vector<Prepared> prepared) {
     const Result<VkCommandBuffer> commands = impl_.submission->begin();
-    if (!commands) return tl::unexpected(commands.error());
-    for (size_t k = 0; k < prepared_.size();) {
-      const Prepared& made = prepared_[k];
+    if (!commands) {
+      recorded_ = std::move(prepared);
+      return tl::unexpected(commands.error());
+    }
+    for (Prepared& made : prepared) {
       const Result<void> recorded = recordDraws(*impl_.context, *commands, *made.scene, made.plan, made.attachments, made.geometry,
                                                 primitiveSource(*impl_.context), *impl_.pipelines);
       if (recorded) {
         impl_.cost.passes += static_cast<uint32_t>(made.plan.passes.size());
-        ++k;
-        continue;
+        recorded_.push_back(std::move(made));
+      } else {
+        // Passes that it recorded before are drawn, and read by nobody.
+        frames_[made.place] = tl::unexpected(recorded.error());
+        unread_.push_back(std::move(made));
       }
-      // What it recorded before is drawn, and read by nobody.
-      frames_[places_[k]] = tl::unexpected(recorded.error());
-      unread_.push_back(std::move(prepared_[k]));
-      prepared_.erase(prepared_.begin() + static_cast<std::ptrdiff_t>(k));
-      places_.erase(places_.begin() + static_cast<std::ptrdiff_t>(k));
     }
     impl_.cost.uploadSeconds += lapWithoutPipelines();
-    if (prepared_.empty()) return {};
+    if (recorded_.empty()) return {};
     if (const Result<void> drawn = impl_.submission->run(); !drawn) {
       abandon();
       return drawn;
@@ -118,13 +121,13 @@ class Together {
 
   Result<void> read() {
     std::vector<DrawnScene> drawn;
-    for (const Prepared& made : prepared_) drawn.push_back({made.scene, &made.plan, &made.attachments, made.fetch});
+    for (const Prepared& made : recorded_) drawn.push_back({made.scene, &made.plan, &made.attachments, made.fetch});
     std::vector<Pool<Buffer>::Lease> buffers;
     ReadbackTools tools{*impl_.context, *impl_.submission, *impl_.buffers, *impl_.unpack, buffers};
     Result<std::vector<Frame>> read = readFrames(drawn, tools, impl_.cost);
     impl_.cost.readbackSeconds += lapWithoutPipelines();
     if (read) {
-      for (size_t k = 0; k < places_.size(); ++k) frames_[places_[k]] = std::move((*read)[k]);
+      for (size_t k = 0; k < recorded_.size(); ++k) frames_[recorded_[k].place] = std::move((*read)[k]);
       return {};
     }
     if (isLost(read.error())) {
@@ -135,7 +138,7 @@ class Together {
   }
 
   void abandon() {
-    for (std::vector<Prepared>* all : {&prepared_, &unread_}) {
+    for (std::vector<Prepared>* all : {&recorded_, &unread_}) {
       for (Prepared& made : *all) {
         impl_.abandonedAttachments.push_back(std::move(made.attachments));
         impl_.abandonedBuffers.push_back(std::move(made.geometry.buffer));
@@ -144,14 +147,10 @@ class Together {
   }
 
   /// Whose the error is, is known of one scene, and does not matter if the device is lost.
-  void fail(const Error& error) {
-    if (isLost(error) || places_.size() == 1) {
-      for (const size_t place : places_) frames_[place] = tl::unexpected(error);
-      return;
-    }
-    for (size_t k = 0; k < places_.size(); ++k) {
-      const Scene* const scene = prepared_[k].scene;
-      frames_[places_[k]] = std::move(Together(impl_).draw(std::span(&scene, 1)).front());
+  void give(const Error& error) {
+    const bool all = isLost(error) || recorded_.size() == 1;
+    for (const Prepared& made : recorded_) {
+      frames_[made.place] = all ? tl::unexpected(error) : std::move(Together(impl_).draw(std::span(&made.scene, 1)).front());
     }
   }
 
@@ -160,8 +159,7 @@ class Together {
   uint32_t pipelinesBefore_;
   double pipelineSeconds_;
   std::vector<Result<Frame>> frames_;
-  std::vector<Prepared> prepared_, unread_;
-  std::vector<size_t> places_;  // of those that are prepared
+  std::vector<Prepared> recorded_, unread_;
 };
 
 // Nothing that was drawn before may take part in a scene. What llvmpipe does with points outside of a side plane is decided
@@ -182,7 +180,7 @@ Result<void> beginPoints(std::span<const Scene* const> scenes, Device::Impl& imp
   return {};
 }
 
-/// Scenes [first, end) by one submit.
+/// Appends the frames of scenes that are drawn by one submit.
 void drawGroup(std::span<const Scene* const> scenes, Device::Impl& impl, std::vector<Result<Frame>>& frames) {
   std::vector<Result<Frame>> drawn;
   const auto forAll = [&](const Error& error) {

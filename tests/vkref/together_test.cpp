@@ -88,6 +88,22 @@ TEST_P(DriverTogether, CostsAreThoseOfAllScenes) {
 
 TEST_P(DriverTogether, NoSceneIsNothing) { EXPECT_TRUE(renderTogether({}, device()).empty()); }
 
+/// How 24-bit depths of several samples come is asked of the device before any scene is recorded.
+TEST_P(DriverTogether, WhatIsLostBeforeTheSubmitIsLostForAllOfThem) {
+  std::vector<Scene> scenes(2, sceneOf(wholeTarget(8, 8), 8, 8, 4));
+  scenes[1].target.depthFormat = DepthFormat::X8_D24_UNORM_PACK32;
+  const bool offered = render(scenes[1], device()).has_value();
+  Result<std::unique_ptr<Device>> hasty = openDevice({GetParam(), false, /*timeoutSeconds=*/1e-9});
+  ASSERT_TRUE(hasty.has_value());
+  const std::vector<Result<Frame>> together = renderTogether(scenes, **hasty);
+  ASSERT_EQ(together.size(), 2u);
+  for (const Result<Frame>& frame : together) ASSERT_FALSE(frame.has_value());
+  EXPECT_EQ((*hasty)->lastCost().passes, offered ? 0U : 1U);  // nothing is recorded after what is lost
+  EXPECT_EQ(together[0].error().code, ErrorCode::TimedOut);
+  EXPECT_EQ(together[1].error().code, offered ? ErrorCode::TimedOut : ErrorCode::NotOffered);
+  EXPECT_FALSE(render(scenes[0], **hasty).has_value());
+}
+
 TEST_P(DriverTogether, WhatIsLostIsLostForAllOfThem) {
   Result<std::unique_ptr<Device>> hasty = openDevice({GetParam(), false, /*timeoutSeconds=*/1e-9});
   ASSERT_TRUE(hasty.has_value());

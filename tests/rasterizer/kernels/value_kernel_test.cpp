@@ -22,6 +22,15 @@ std::vector<SnappedTriangle> some(const testing::Family& family, size_t count, P
   return triangles;
 }
 
+std::vector<SnappedTriangle> someOfEach(int32_t width, int32_t height, Prng& random) {
+  constexpr size_t kEach = 20;
+  std::vector<SnappedTriangle> triangles;
+  for (const auto& family : testing::hardFamilies(width, height)) {
+    for (const SnappedTriangle& triangle : some(family, kEach, random)) triangles.push_back(triangle);
+  }
+  return triangles;
+}
+
 double halfUlp(float value) {
   const float magnitude = std::fabs(value);
   return 0.5 * (double{std::nextafter(magnitude, std::numeric_limits<float>::infinity())} - magnitude);
@@ -152,9 +161,7 @@ TEST(ValueKernel, EveryInstructionSetAndThreadCountDrawsTheSameBits) {
 TEST(ValueKernel, VaryingsOfALargeTargetAreThoseOfASmallOne) {
   constexpr uint32_t kWidth = 700, kHeight = 400, kColumns = 128;
   Prng random(37);
-  std::vector<SnappedTriangle> triangles;
-  for (const auto& family : testing::hardFamilies(kColumns, kHeight))
-    for (int k = 0; k < 20; ++k) triangles.push_back(family.make(random));
+  std::vector<SnappedTriangle> triangles = someOfEach(kColumns, kHeight, random);
   triangles.push_back({{SubpixelPosition{0, 0}, {256 * 700, 0}, {256 * 700, 256 * 400}}});
   const ValueLoad load = testing::makeLoad(std::move(triangles), {kAllKinds.begin(), kAllKinds.end()}, random);
   auto small = *ValueTarget::create(kColumns, kHeight, 1, {true, false, true, 4});
@@ -174,10 +181,7 @@ TEST(ValueKernel, VaryingsOfALargeTargetAreThoseOfASmallOne) {
 TEST(ValueKernel, BandsOfALargeTargetChangeNothing) {
   constexpr uint32_t kWidth = 1500, kHeight = 1001, kSamples = 4;
   Prng random(33);
-  std::vector<SnappedTriangle> triangles;
-  for (const auto& family : testing::hardFamilies(kWidth, kHeight))
-    for (int k = 0; k < 20; ++k) triangles.push_back(family.make(random));
-  const ValueLoad load = testing::makeLoad(std::move(triangles), {}, random);
+  const ValueLoad load = testing::makeLoad(someOfEach(kWidth, kHeight, random), {}, random);
   auto atOnce = *ValueTarget::create(kWidth, kHeight, kSamples, {true, true, true, 0});
   ASSERT_LT(nearRows(load.view(), atOnce), kHeight);
   drawBand(load.view(), atOnce, 0, kHeight, 0);
