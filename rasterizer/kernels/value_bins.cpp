@@ -6,13 +6,6 @@
 
 namespace rasterdiff::rasterizer {
 
-namespace {
-
-/// Means over some of the triangles, evenly spread; pixels.
-struct MeanShape {
-  double area = 0, height = 0;
-};
-
 MeanShape meanShape(std::span<const SnappedTriangle> triangles) {
   constexpr size_t kLooked = 256;
   const size_t step = std::max(triangles.size() / kLooked, size_t{1});
@@ -26,8 +19,6 @@ MeanShape meanShape(std::span<const SnappedTriangle> triangles) {
   }
   return looked > 0 ? MeanShape{area / looked, height / looked} : MeanShape{};
 }
-
-}  // namespace
 
 // Measured on a core with 1 MB of second-level cache and 32 MB behind it: planes that come from there cost little, planes that do not
 // cost up to two thirds of the time. Small triangles pay more for bins, and gain nothing where few lie upon one another; high ones are
@@ -49,7 +40,7 @@ uint32_t nearRows(const ValueTriangles& triangles, const ValueTarget& target) {
   return static_cast<uint32_t>(std::max((high ? kHighBandBytes : kBandBytes) / rowBytes / 8, size_t{1})) * 8;
 }
 
-ValueBins::ValueBins(std::span<const SnappedTriangle> triangles, uint32_t firstRow, uint32_t endRow, uint32_t rows) {
+ValueBins::ValueBins(std::span<const SnappedTriangle> triangles, std::span<const uint32_t> order, uint32_t firstRow, uint32_t endRow, uint32_t rows) {
   struct Bands {
     uint16_t first, last;  // none: first > last
   };
@@ -73,8 +64,10 @@ ValueBins::ValueBins(std::span<const SnappedTriangle> triangles, uint32_t firstR
   for (size_t k = 0, open = 0; k < size; ++k) open += ends[k], starts_[k + 1] = starts_[k] + open;
   places_.resize(starts_[size]);
   std::vector<size_t> to(starts_.begin(), starts_.end() - 1);
-  for (size_t i = 0; i < triangles.size(); ++i)
+  for (size_t n = 0; n < triangles.size(); ++n) {
+    const size_t i = order.empty() ? n : order[n];
     for (size_t k = bands[i].first; k <= bands[i].last; ++k) places_[to[k]++] = static_cast<uint32_t>(i);
+  }
 }
 
 }  // namespace rasterdiff::rasterizer

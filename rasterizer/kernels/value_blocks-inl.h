@@ -97,12 +97,12 @@ HWY_INLINE hn::Vec<BlockF> NearestOf(float step, float nearest, float least, flo
   return hn::Max(hn::MulAdd(hn::Set(f, step), hn::Iota(f, 0) + hn::Set(f, n), hn::Set(f, least)), hn::Set(f, nearest));
 }
 
-/// Which of kBlockLanes blocks may be seen, of those before `size`. Where meetings are counted, a depth that is met has to be seen.
+/// Which of kBlockLanes blocks may be seen, of those before `size`.
 template <class P>
 HWY_INLINE hn::Mask<BlockF> Seen(hn::Vec<BlockF> nearest, float size, const float* HWY_RESTRICT far) {
   const BlockF f;
   const auto there = hn::LoadU(f, far);
-  const auto hidden = P::kCorners ? hn::Gt(nearest, there) : hn::Ge(nearest, there);
+  const auto hidden = P::kMeets ? hn::Gt(nearest, there) : hn::Ge(nearest, there);
   return hn::AndNot(hidden, hn::Lt(hn::Iota(f, 0), hn::Set(f, size)));
 }
 

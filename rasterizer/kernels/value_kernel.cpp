@@ -135,8 +135,8 @@ DrawnArea DrawPlanes(const ValueTriangles& triangles, const DrawnList& list, con
     case 1: return DrawAll<Planes<true, false, false>>(triangles, list, view);
     case 2: return DrawAll<Planes<false, true, false>>(triangles, list, view);
     case 3: return DrawAll<Planes<true, true, false>>(triangles, list, view);
-    case 4: return DrawAll<Planes<false, false, true>>(triangles, list, view);
-    case 5: return DrawAll<Planes<true, false, true>>(triangles, list, view);
+    case 4: return DrawAll<Planes<false, false, true>>(triangles, list, view);  // in any order: the least depth is what it is
+    case 5: return view.reordered ? DrawAll<Planes<true, false, true, false, true>>(triangles, list, view) : DrawAll<Planes<true, false, true>>(triangles, list, view);
     case 6: return DrawAll<Planes<false, true, true>>(triangles, list, view);
     case 7: return DrawAll<Planes<true, true, true>>(triangles, list, view);
     default: return {};
@@ -152,6 +152,7 @@ HWY_AFTER_NAMESPACE();
 #include <vector>
 
 #include "rasterizer/kernels/value_bins.hpp"
+#include "rasterizer/kernels/value_order.hpp"
 #include "rasterizer/kernels/value_shading.hpp"
 
 namespace rasterdiff::rasterizer {
@@ -191,20 +192,23 @@ uint64_t drawBand(const ValueTriangles& triangles, ValueTarget& target, uint32_t
 namespace {
 
 /// Draws and shades rows [firstRow, endRow).
-void drawListed(const ValueTriangles& triangles, const DrawnList& list, ValueTarget& target, uint32_t firstRow, uint32_t endRow) {
+void drawListed(const ValueTriangles& triangles, const DrawnList& list, bool reordered, ValueTarget& target, uint32_t firstRow, uint32_t endRow) {
   ValueView view = valueView(target, firstRow, endRow);
-  view.shaded = !target.varyings.empty();
+  view.shaded = !target.varyings.empty(), view.reordered = reordered;
   const DrawnArea area = HWY_DYNAMIC_DISPATCH(DrawPlanes)(triangles, list, view);
   if (!target.varyings.empty()) shadeArea(triangles, target, area);
 }
 
-/// The same of all triangles, `rows` rows at a time.
-void drawInBands(const ValueTriangles& triangles, ValueTarget& target, uint32_t firstRow, uint32_t endRow, uint32_t rows) {
-  if (rows >= endRow - firstRow) return drawListed(triangles, {nullptr, triangles.positions.size()}, target, firstRow, endRow);
-  const ValueBins bins(triangles.positions, firstRow, endRow, rows);
+/// The same of all triangles, in `order` if there is one, `rows` rows at a time.
+void drawInBands(const ValueTriangles& triangles, std::span<const uint32_t> order, ValueTarget& target, uint32_t firstRow, uint32_t endRow,
+                 uint32_t rows) {
+  const bool reordered = !order.empty();
+  if (rows >= endRow - firstRow)
+    return drawListed(triangles, {reordered ? order.data() : nullptr, triangles.positions.size()}, reordered, target, firstRow, endRow);
+  const ValueBins bins(triangles.positions, order, firstRow, endRow, rows);
   for (size_t k = 0; k < bins.size(); ++k) {
     const uint32_t top = firstRow + static_cast<uint32_t>(k) * rows;
-    drawListed(triangles, bins.of(k), target, top, std::min(top + rows, endRow));
+    drawListed(triangles, bins.of(k), reordered, target, top, std::min(top + rows, endRow));
   }
 }
 
@@ -213,13 +217,14 @@ void drawInBands(const ValueTriangles& triangles, ValueTarget& target, uint32_t 
 void drawValues(const ValueTriangles& triangles, ValueTarget& target, unsigned threads) {
   constexpr uint32_t kLeastRows = 16;  // of a band
   const uint32_t rows = nearRows(triangles, target);
+  const std::vector<uint32_t> order = nearestFirst(triangles, target);
   if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
   threads = std::min(threads, std::max(1u, target.height() / kLeastRows));
   const auto start = [&](unsigned k) { return k == threads ? target.height() : static_cast<uint32_t>(uint64_t{target.height()} * k / threads) / 8 * 8; };
   std::vector<std::thread> workers;
   for (unsigned k = 1; k < threads; ++k)
-    workers.emplace_back([&, k] { drawInBands(triangles, target, start(k), start(k + 1), rows); });
-  drawInBands(triangles, target, 0, start(1), rows);
+    workers.emplace_back([&, k] { drawInBands(triangles, order, target, start(k), start(k + 1), rows); });
+  drawInBands(triangles, order, target, 0, start(1), rows);
   for (std::thread& worker : workers) worker.join();
 }
 

@@ -64,9 +64,10 @@ void drawFarTriangle(const ValueTriangles& triangles, size_t place, const ValueV
         const size_t i = row + static_cast<size_t>(x);
         if (view.depth != nullptr) {
           const double alongX = z.gx * (static_cast<double>(x) + view.x[s] / kSubpixelOne - z.x0);
-          const auto depth = static_cast<float>(ownCorners ? (z.a0 + alongX) + rise : rowDepth + alongX);
+          const auto depth = ownCorners ? static_cast<float>((z.a0 + alongX) + rise) : static_cast<float>(rowDepth + alongX) + 0.0F;  // no -0
           if (view.met != nullptr && depth == view.depth[i] && view.primitive[i] != 0) ++*view.met;
-          if (!(depth < view.depth[i])) continue;
+          const bool isFirst = view.reordered && view.primitive != nullptr && depth == view.depth[i] && place + 1 < view.primitive[i];
+          if (!(depth < view.depth[i] || isFirst)) continue;
           view.depth[i] = depth;
         }
         if (view.primitive != nullptr) view.primitive[i] = view.before + static_cast<uint32_t>(place + 1);

@@ -27,10 +27,15 @@ struct Chunks {
   size_t size = 0;
 };
 
-/// Which planes are written, and whether depth planes go through DepthCorners, with meetings counted.
-template <bool kPrimitiveV, bool kCountV, bool kDepthV, bool kCornersV = false>
+/// Which planes are written, whether depth planes go through DepthCorners, with meetings counted, and whether triangles come in
+/// another order than theirs (value_order.hpp): then of those that are equally deep the first one is kept by its number.
+template <bool kPrimitiveV, bool kCountV, bool kDepthV, bool kCornersV = false, bool kReorderedV = false>
 struct Planes {
-  static constexpr bool kPrimitive = kPrimitiveV, kCount = kCountV, kDepth = kDepthV, kCorners = kCornersV;
+  static constexpr bool kPrimitive = kPrimitiveV, kCount = kCountV, kDepth = kDepthV, kCorners = kCornersV, kReordered = kReorderedV;
+  static constexpr bool kNumbersDecide = kReordered && kPrimitive;
+  /// What is as deep as what is there has to be looked at, too.
+  static constexpr bool kMeets = kCorners || kNumbersDecide;
+  static_assert(!kReordered || (kDepth && !kCount && !kCorners));
 };
 
 #if HWY_TARGET <= HWY_AVX3
@@ -65,7 +70,7 @@ struct ChunkPlane {
   double chunk, gx, a0, x0, column;
 };
 
-/// Depth of pixels [first, first + kChunkLanes) of a chunk.
+/// Depth of pixels [first, first + kChunkLanes) of a chunk. Equal depths have the same bits, as long as they are not through corners: a zero is +0.
 template <class P>
 HWY_INLINE hn::Vec<ChunkF> ChunkDepth(const ChunkPlane& p, size_t first) {
   const D d;
@@ -75,21 +80,32 @@ HWY_INLINE hn::Vec<ChunkF> ChunkDepth(const ChunkPlane& p, size_t first) {
   };
 #if HWY_TARGET <= HWY_AVX3
   (void)first;
-  return RoundToFloat(at(hn::Iota(d, 0)));
+  const auto depth = RoundToFloat(at(hn::Iota(d, 0)));
+  return P::kCorners ? depth : depth + hn::Zero(ChunkF());
 #else
   const hn::Rebind<float, D> part;
   alignas(16) float depth[4 + kLanes];
   for (size_t k = 0; k < kChunkLanes; k += kLanes)
     hn::Store(RoundToFloat(at(hn::Iota(d, static_cast<double>(first + k)))), part, depth + k);
-  return hn::Load(ChunkF(), depth);
+  return P::kCorners ? hn::Load(ChunkF(), depth) : hn::Load(ChunkF(), depth) + hn::Zero(ChunkF());
+#endif
+}
+
+/// One instruction, where there is one.
+HWY_INLINE hn::Mask<ChunkF> AndNotAlike(hn::Mask<ChunkF> apart, hn::Vec<ChunkF> a, hn::Vec<ChunkF> b) {
+#if HWY_TARGET <= HWY_AVX3
+  return hn::Mask<ChunkF>{_mm256_mask_cmp_ps_mask(apart.raw, a.raw, b.raw, _CMP_NEQ_UQ)};
+#else
+  return hn::AndNot(hn::Eq(a, b), apart);
 #endif
 }
 
 /// Writes pixels [i, i + kChunkLanes) of the planes where `mask` says so and depth passes. Whole vectors are stored: a load
-/// that follows a masked store of the same place would wait for it. Numbers need not be loaded where a store can be masked. Returns the
-/// depths that are there now.
+/// that follows a masked store of the same place would wait for it. Numbers need not be loaded where a store can be masked. If triangles
+/// are reordered, takes out of `apart` where a depth, covered or not, meets its like. Returns the depths that are there now.
 template <class P>
-HWY_INLINE hn::Vec<ChunkF> WriteChunk(const ValueView& view, size_t i, hn::Mask<ChunkF> mask, hn::Vec<ChunkF> depth, uint32_t number) {
+HWY_INLINE hn::Vec<ChunkF> WriteChunk(const ValueView& view, size_t i, hn::Mask<ChunkF> mask, hn::Vec<ChunkF> depth, uint32_t number,
+                                     hn::Mask<ChunkF>& apart) {
   const ChunkF df;
   const ChunkU du;
   if (P::kDepth) {
@@ -101,6 +117,7 @@ HWY_INLINE hn::Vec<ChunkF> WriteChunk(const ValueView& view, size_t i, hn::Mask<
         *view.met += hn::CountTrue(du, hn::And(hn::RebindMask(du, alike), drawn));
       }
     }
+    if (P::kNumbersDecide) apart = AndNotAlike(apart, depth, old);
 #if HWY_TARGET <= HWY_AVX3
     if (!P::kPrimitive && !P::kCount) {
       // Which keeps `old` where either is not a number or both are zero.
@@ -126,6 +143,15 @@ HWY_INLINE hn::Vec<ChunkF> WriteChunk(const ValueView& view, size_t i, hn::Mask<
     hn::StoreU(hn::IfThenElse(which, old + hn::Set(du, 1), old), du, view.count + i);
   }
   return depth;
+}
+
+/// Of pixels [i, i + kChunkLanes) that were written where `mask` says so: gives those to triangle `number` that are as deep as it and
+/// belong to one with a higher number.
+inline HWY_NOINLINE void KeepFirst(const ValueView& view, size_t i, hn::Mask<ChunkF> mask, hn::Vec<ChunkF> depth, uint32_t number) {
+  const ChunkU u;
+  const auto there = hn::LoadU(u, view.primitive + i);
+  const auto alike = hn::And(mask, hn::Eq(depth, hn::LoadU(ChunkF(), view.depth + i)));
+  hn::StoreU(hn::IfThenElse(hn::RebindMask(u, alike), hn::Min(there, hn::Set(u, number)), there), u, view.primitive + i);
 }
 
 /// Fetches element `i` of the planes that are loaded. Always inlined: GCC finds that a function that only fetches does nothing, and drops calls of it.
@@ -156,8 +182,11 @@ HWY_INLINE void DrawChunksOf(const ValueView& target, const ValueBatch& b, Chunk
       if (P::kDepth) plane.chunk = chunks.depth[k], plane.gx = b.gx[place];
       if (P::kCorners) plane.a0 = b.a0[place], plane.x0 = b.x0[place], plane.column = chunks.column[k];
       if (P::kDepth) depth = ChunkDepth<P>(plane, first);
-      WriteChunk<P>(view, element + first, ChunkMask(bits >> first), depth,
-                    firstNumber + (kListed ? b.triangles[place] : static_cast<uint32_t>(place)));
+      const auto mask = ChunkMask(bits >> first);
+      const uint32_t number = firstNumber + (kListed ? b.triangles[place] : static_cast<uint32_t>(place));
+      hn::Mask<ChunkF> apart = ChunkMask(0xFF);
+      WriteChunk<P>(view, element + first, mask, depth, number, apart);
+      if (P::kNumbersDecide && HWY_UNLIKELY(!hn::AllTrue(ChunkF(), apart))) KeepFirst(view, element + first, mask, depth, number);
     }
   }
   chunks.size = 0;

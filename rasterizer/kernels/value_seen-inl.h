@@ -110,23 +110,34 @@ HWY_INLINE void PrepareBlocks(const ValueView& view, const ValueBatch& b, Farthe
     }
     work.codes[k] = codes[n], work.elements[k] = element, work.far[k] = farthest.Row(at.blockRow, s) + at.block;
     // What was drawn since the block came into the list may hide it.
-    k += (P::kCorners ? at.nearest > *work.far[k] : at.nearest >= *work.far[k]) ? 0 : 1;
+    k += (P::kMeets ? at.nearest > *work.far[k] : at.nearest >= *work.far[k]) ? 0 : 1;
   }
   work.size = k;
+}
+
+/// Calls f(element, mask, depth) for the chunks of the first `rows` rows of the n-th block.
+template <class P, class F>
+HWY_INLINE void ForRows(const ValueView& view, const BlockWork& work, size_t n, ChunkPlane plane, size_t rows, const F& f) {
+  size_t element = work.elements[n];
+  for (size_t row = 0; row < rows; ++row, element += view.samples * view.stride) {
+    plane.chunk = work.start[n][row];
+    for (size_t first = 0; first < kBlock; first += kChunkLanes)
+      f(element + first, ChunkMask(static_cast<uint32_t>(work.bits[n][row]) >> first), ChunkDepth<P>(plane, first));
+  }
 }
 
 /// Draws the first `rows` rows of the n-th block; returns the depths of all of them that are farthest now.
 template <class P>
 HWY_INLINE hn::Vec<ChunkF> DrawRows(const ValueView& view, const BlockWork& work, size_t n, ChunkPlane plane, size_t rows, uint32_t number) {
-  auto most = hn::Set(ChunkF(), -std::numeric_limits<float>::infinity());
-  size_t element = work.elements[n];
-  for (size_t row = 0; row < rows; ++row, element += view.samples * view.stride) {
-    plane.chunk = work.start[n][row];
-    for (size_t first = 0; first < kBlock; first += kChunkLanes) {
-      const auto mask = ChunkMask(static_cast<uint32_t>(work.bits[n][row]) >> first);
-      most = hn::Max(WriteChunk<P>(view, element + first, mask, ChunkDepth<P>(plane, first), number), most);
-    }
-  }
+  using Mask = hn::Mask<ChunkF>;
+  using Depths = hn::Vec<ChunkF>;
+  Depths most = hn::Set(ChunkF(), -std::numeric_limits<float>::infinity());
+  Mask apart = ChunkMask(0xFF);
+  ForRows<P>(view, work, n, plane, rows, [&](size_t element, Mask mask, Depths depth) __attribute__((always_inline)) {
+    most = hn::Max(WriteChunk<P>(view, element, mask, depth, number, apart), most);
+  });
+  if (P::kNumbersDecide && HWY_UNLIKELY(!hn::AllTrue(ChunkF(), apart)))
+    ForRows<P>(view, work, n, plane, rows, [&](size_t element, Mask mask, Depths depth) { KeepFirst(view, element, mask, depth, number); });
   return most;
 }
 

@@ -17,6 +17,7 @@ struct ValueView {
   uint32_t before = 0;        ///< triangles of earlier lists: the first one's number less 1
   uint64_t* met = nullptr;    ///< of planes through DepthCorners: counts fragments with exactly the depth that another one left
   bool shaded = false;        ///< there are varyings: what is drawn where is wanted
+  bool reordered = false;     ///< triangles come in another order than theirs: of equally deep ones the first is wanted
   double width = 0, firstRow = 0, endRow = 0;  ///< pixels
   size_t samples = 1, stride = 0;
   double x[16] = {}, y[16] = {};                  ///< sample offsets in 1/256 pixel

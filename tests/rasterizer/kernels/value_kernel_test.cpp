@@ -196,7 +196,7 @@ TEST(ValueBins, HoldEachTriangleInTheBandsThatItReachesInOrder) {
   const auto triangle = [](int32_t top, int32_t bottom) { return SnappedTriangle{{SubpixelPosition{0, top}, {256, bottom}, {0, bottom}}}; };
   const std::vector<SnappedTriangle> triangles{triangle(16 * 256, 17 * 256), triangle(-9000, -1), triangle(-1, 0), triangle(24 * 256 - 1, 40 * 256 - 1),
                                                triangle(50 * 256, 60 * 256), triangle(-1000000, 1000000)};
-  const ValueBins bins(triangles, 16, 50, 8);  // rows 16, 24, 32, 40, 48
+  const ValueBins bins(triangles, {}, 16, 50, 8);  // rows 16, 24, 32, 40, 48
   ASSERT_EQ(bins.size(), 5u);
   const std::vector<std::vector<uint32_t>> expected{{0, 3, 5}, {3, 5}, {3, 5}, {5}, {5}};
   for (size_t band = 0; band < 5; ++band)
