@@ -5,6 +5,7 @@
 #include "hwy/foreach_target.h"
 // After foreach_target.h:
 #include <algorithm>
+#include <bit>
 
 #include "hwy/highway.h"
 #include "rasterizer/kernels/value_kernel.hpp"
@@ -12,6 +13,7 @@
 #include "rasterizer/kernels/value_large-inl.h"
 #include "rasterizer/kernels/value_medium-inl.h"
 #include "rasterizer/kernels/value_rows-inl.h"
+#include "rasterizer/kernels/value_tiny-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rasterdiff::rasterizer {
@@ -110,8 +112,7 @@ DrawnArea DrawAll(const ValueTriangles& triangles, const DrawnList& list, const 
     SetUpListed<P>(triangles, list, first, std::min(ValueBatch::kSize, list.size - first), view, gathered, b);
     for (size_t k = 0; k < b.size;) {
       const size_t i = b.places[k];
-      const uint64_t way = P::kDepth ? b.way[i] : kSmall;
-      if (HWY_LIKELY(b.far[i] == 0 && way == kSmall)) {
+      if (HWY_LIKELY(b.far[i] == 0 && b.way[i] == kSmall)) {
         if (HWY_LIKELY(b.endRow[i] - b.firstRow[i] < kHighRows)) {
           FindChunks<P>(view, b, i, chunks);
         } else {
@@ -120,6 +121,13 @@ DrawnArea DrawAll(const ValueTriangles& triangles, const DrawnList& list, const 
         ++k;
         continue;
       }
+#if HWY_TARGET <= HWY_AVX3
+      if (b.way[i] == kTiny) {
+        FindChunksOfTiny<P>(view, b, i, chunks);
+        k += static_cast<size_t>(std::popcount(b.drawn[i / kLanes]));
+        continue;
+      }
+#endif
       DrawChunks<P>(view, b, chunks);
       k += DrawOthers<P>(triangles, view, b, k, farthest, blocks);
     }

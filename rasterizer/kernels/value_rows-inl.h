@@ -16,6 +16,7 @@ namespace rasterdiff::rasterizer {
 namespace HWY_NAMESPACE {
 
 inline constexpr size_t kChunk = 8;  // pixels
+inline constexpr double kTwo52 = 4503599627370496.0;
 
 /// Chunks with a covered pixel, triangle by triangle: element of the planes | mask of pixels << 40 | place << 48.
 /// Elements < 2^14 · 2^4 · (2^14 + 2^4) < 2^33.
@@ -215,6 +216,18 @@ HWY_INLINE RowLines LinesOf(const ValueBatch& b, size_t i) {
           hn::Set(d, b.firstColumn[i]), hn::Set(d, b.endColumn[i])};
 }
 
+/// The same of the kLanes triangles from place `base` on, a lane each.
+HWY_INLINE RowLines LinesFrom(const ValueBatch& b, size_t base) {
+  const D d;
+  const auto from = [&](const double* p) { return hn::Load(d, p + base); };
+  return {{from(b.slope[0]), from(b.slope[1]), from(b.slope[2]), from(b.slope[3])}, from(b.firstColumn), from(b.endColumn)};
+}
+HWY_INLINE RowOffsets OffsetsFrom(const ValueBatch& b, size_t base, size_t s) {
+  const D d;
+  const auto from = [&](const double* p) { return hn::Load(d, p + base); };
+  return {{from(b.offset[s][0]), from(b.offset[s][1]), from(b.offset[s][2]), from(b.offset[s][3])}};
+}
+
 HWY_INLINE RowOffsets OffsetsOf(const ValueBatch& b, size_t i, size_t s) {
   const D d;
   return {{hn::Set(d, b.offset[s][0][i]), hn::Set(d, b.offset[s][1][i]), hn::Set(d, b.offset[s][2][i]), hn::Set(d, b.offset[s][3][i])}};
@@ -244,22 +257,75 @@ HWY_INLINE hn::Vec<DU> BitsBetween(V from, V to) {
 #endif
 }
 
-/// What the chunks of place `i` have in common.
+/// What the chunks of a triangle have in common, of one in all lanes or of one a lane.
 template <class P>
 struct ChunkSource {
   hn::Vec<DU> place;
-  V rowElements, gx, gy, a0;
-  double x0 = 0, y0 = 0;
+  V rowElements, gx, gy, a0, x0, y0;
 
-  HWY_INLINE ChunkSource(const ValueView& view, const ValueBatch& b, size_t i) {
+  /// Of place `i`.
+  HWY_INLINE ChunkSource(const ValueView& view, const ValueBatch& b, size_t i) : ChunkSource(view) {
     const D d;
-    // A double from 2^52 on is its whole number in the low bits, and an exponent that goes where the place comes.
-    place = hn::Set(DU(), (uint64_t{i} << 48) - (uint64_t{0x433} << 52));
-    rowElements = hn::Set(d, static_cast<double>(view.samples * view.stride));
-    gx = gy = a0 = hn::Zero(d);
-    if (P::kDepth) gx = hn::Set(d, b.gx[i]), gy = hn::Set(d, b.gy[i]), a0 = hn::Set(d, b.a0[i]), x0 = b.x0[i], y0 = b.y0[i];
+    place = hn::Set(DU(), (uint64_t{i} << 48) - kExponent);
+    if (P::kDepth) gx = hn::Set(d, b.gx[i]), gy = hn::Set(d, b.gy[i]), a0 = hn::Set(d, b.a0[i]), x0 = hn::Set(d, b.x0[i]), y0 = hn::Set(d, b.y0[i]);
+  }
+
+  /// Of the kLanes places from `base` on.
+  static HWY_INLINE ChunkSource From(const ValueView& view, const ValueBatch& b, size_t base) {
+    ChunkSource source(view);
+    source.place = hn::ShiftLeft<48>(hn::Iota(DU(), base)) - hn::Set(DU(), kExponent);
+    const auto load = [&](const double* p) { return hn::Load(D(), p + base); };
+    if (P::kDepth) source.gx = load(b.gx), source.gy = load(b.gy), source.a0 = load(b.a0), source.x0 = load(b.x0), source.y0 = load(b.y0);
+    return source;
+  }
+
+ private:
+  // A double from 2^52 on is its whole number in the low bits, and an exponent that goes where the place comes.
+  static constexpr uint64_t kExponent = uint64_t{0x433} << 52;
+
+  HWY_INLINE explicit ChunkSource(const ValueView& view) {
+    rowElements = hn::Set(D(), static_cast<double>(view.samples * view.stride));
+    gx = gy = a0 = x0 = y0 = hn::Zero(D());
   }
 };
+
+/// As doubles from 2^52 on, the first elements of rows `r` at sample s.
+template <class P>
+HWY_INLINE V RowElements(const ValueView& view, const ChunkSource<P>& from, size_t s, V r) {
+  const D d;
+  return hn::MulAdd(r, from.rowElements, hn::Set(d, static_cast<double>(s * view.stride))) + hn::Set(d, kTwo52);
+}
+
+/// The part of their depths that does not depend on the column.
+template <class P>
+HWY_INLINE V RowDepths(const ValueView& view, const ChunkSource<P>& from, size_t s, V r) {
+  const V y = hn::Set(D(), view.y[s] / 256);
+  if (P::kCorners) return from.gy * ((r + y) - from.y0);
+  return P::kDepth ? from.a0 + from.gy * (r + (y - from.y0)) : hn::Zero(D());
+}
+
+/// From the anchor, or through corners from nowhere, to the samples of column 0.
+template <class P>
+HWY_INLINE V FromAnchor(const ValueView& view, const ChunkSource<P>& from, size_t s) {
+  const V x = hn::Set(D(), view.x[s] / 256);
+  return P::kCorners ? x : P::kDepth ? x - from.x0 : hn::Zero(D());
+}
+
+/// Of the chunks from `column` on, of pixels before `end`; of lanes without any, anything.
+template <class P>
+HWY_INLINE hn::Vec<DU> ChunkCodes(const ChunkSource<P>& from, V rowElements, V column, V end) {
+  const D d;
+  const DU du;
+  const auto eightBits = hn::Set(du, uint64_t{0xFF} << 40);
+  const auto pixels = hn::And(hn::BitCast(du, hn::Min(end - column, hn::Set(d, 8)) + hn::Set(d, kTwo52)), hn::Set(du, 15));
+  return hn::Or(hn::BitCast(du, rowElements + column) + from.place, hn::AndNot(hn::Shl(eightBits, pixels), eightBits));
+}
+
+/// Chunks::depth of them.
+template <class P>
+HWY_INLINE hn::Vec<DU> ChunkDepths(const ChunkSource<P>& from, V rowDepths, V fromAnchor, V column) {
+  return hn::BitCast(DU(), P::kCorners ? rowDepths : rowDepths + from.gx * (fromAnchor + column));
+}
 
 /// Appends the chunks of pixels [begin, end) of rows `r`, those of `more`, at sample s; draws what does not fit.
 template <class P>
@@ -267,38 +333,22 @@ HWY_INLINE void AppendChunks(const ValueView& view, const ValueBatch& b, const C
                              Chunks& chunks, size_t& size) {
   const D d;
   const DU du;
-  const V two52 = hn::Set(d, 4503599627370496.0), eight = hn::Set(d, 8);
-  const auto eightBits = hn::Set(du, uint64_t{0xFF} << 40);
-  const V element = hn::MulAdd(r, from.rowElements, hn::Set(d, static_cast<double>(s * view.stride))) + two52;
-  const double x = view.x[s] / 256, y = view.y[s] / 256;
-  V rowDepth = hn::Zero(d);
-  if (P::kCorners) {
-    rowDepth = from.gy * ((r + hn::Set(d, y)) - hn::Set(d, from.y0));
-  } else if (P::kDepth) {
-    rowDepth = from.a0 + from.gy * (r + hn::Set(d, y - from.y0));
-  }
-  const V fromAnchor = hn::Set(d, P::kDepth ? x - (P::kCorners ? 0 : from.x0) : 0);
+  const V elements = RowElements(view, from, s, r), depths = RowDepths(view, from, s, r), fromAnchor = FromAnchor(view, from, s);
   V column = begin;
   do {
-    // Pixels from the chunk's first to the run's end; of lanes without any, anything.
-    const auto pixels = hn::And(hn::BitCast(du, hn::Min(end - column, eight) + two52), hn::Set(du, 15));
-    const auto bits = hn::AndNot(hn::Shl(eightBits, pixels), eightBits);
-    const auto code = hn::Or(hn::BitCast(du, element + column) + from.place, bits);
     size_t next = size;
     if (P::kCorners) {
       Append(hn::BitCast(du, fromAnchor + column), more, reinterpret_cast<uint64_t*>(chunks.column), next);
       next = size;
-      Append(hn::BitCast(du, rowDepth), more, reinterpret_cast<uint64_t*>(chunks.depth), next);
-    } else if (P::kDepth) {
-      Append(hn::BitCast(du, rowDepth + from.gx * (fromAnchor + column)), more, reinterpret_cast<uint64_t*>(chunks.depth), next);
     }
-    Append(code, more, chunks.codes, size);
+    if (P::kDepth) Append(ChunkDepths(from, depths, fromAnchor, column), more, reinterpret_cast<uint64_t*>(chunks.depth), next);
+    Append(ChunkCodes(from, elements, column, end), more, chunks.codes, size);
     if (HWY_UNLIKELY(size > Chunks::kRoom)) {
       chunks.size = size;
       DrawChunks<P>(view, b, chunks);
       size = 0;
     }
-    column = column + eight;
+    column = column + hn::Set(d, kChunk);
     more = hn::And(more, hn::Lt(column, end));
   } while (!hn::AllFalse(d, more));
 }

@@ -35,10 +35,11 @@ namespace HWY_NAMESPACE {
 
 inline constexpr double kWidePixels = 128, kMediumPixels = 16;  // lengths of the longest row
 inline constexpr double kMediumArea = 256;                     // pixels
+inline constexpr double kTinyRows = 4, kTinyPixels = 7.5;      // rows, and the length of the longest one, which covers no more than 8 centres
 inline constexpr double kHighRows = 48;                        // rows of a small one, for a function of its own
 
-/// Which way a triangle is drawn: without a depth test all are small.
-inline constexpr uint64_t kSmall = 0, kMedium = 1, kWide = 2;
+/// Which way a triangle is drawn: without a depth test all are small or tiny; tiny are all of a vector or none.
+inline constexpr uint64_t kSmall = 0, kTiny = 1, kMedium = 2, kWide = 3;
 
 /// Lines and depth planes of up to kSize triangles; index = place in the batch.
 struct ValueBatch {
@@ -53,7 +54,8 @@ struct ValueBatch {
   size_t size = 0;
   uint64_t places[kSize + 8];  // of what is to be drawn, in order
   alignas(64) uint64_t far[kSize];   // ~0: beyond the fast range
-  alignas(64) uint64_t way[kSize];  // kSmall, kMedium or kWide
+  alignas(64) uint64_t way[kSize];  // kSmall, kTiny, kMedium or kWide
+  uint8_t drawn[kSize / kLanes];    // of a vector of tiny triangles: bits of those to be drawn
   // Of triangles that are not small, see value_blocks-inl.h.
   alignas(64) double low[kSize], reach[kSize];
   alignas(64) float step[kSize], nearestSeen[kSize];
@@ -164,15 +166,22 @@ HWY_INLINE void SetUpValues(const SnappedTriangle* HWY_RESTRICT t, const float* 
           hn::IfThenElse(flatBottom, steep * (bottom - half), hn::MulAdd(nC - half, pC, half)));
   }
   hn::Store(hn::BitCast(DU(), hn::VecFromMask(d, hn::Not(near))), DU(), b.far + base);
+  const M drawn = hn::And(inBox, hn::Or(hn::Not(near), hn::Ne(area, zero)));
   // The longest row is that of the middle vertex: |area| / dyA subpixels.
+  const V size = hn::Abs(area);
+  const auto codeOf = [](M mask, uint64_t value) { return hn::And(hn::BitCast(DU(), hn::VecFromMask(D(), mask)), hn::Set(DU(), value)); };
+  auto way = hn::Zero(DU());
   if (kDepth) {
-    const V size = hn::Abs(area);
     const M wide = hn::Ge(size, hn::Set(d, 256 * kWidePixels) * dyA);
     const M medium = hn::And(hn::Ge(size, hn::Set(d, 256 * kMediumPixels) * dyA), hn::Ge(size, hn::Set(d, 2 * 65536 * kMediumArea)));
-    const auto codeOf = [](M mask, uint64_t value) { return hn::And(hn::BitCast(DU(), hn::VecFromMask(D(), mask)), hn::Set(DU(), value)); };
-    hn::Store(hn::Or(codeOf(wide, kWide), codeOf(hn::AndNot(wide, medium), kMedium)), DU(), b.way + base);
+    way = hn::Or(codeOf(wide, kWide), codeOf(hn::AndNot(wide, medium), kMedium));
   }
-  const M drawn = hn::And(inBox, hn::Or(hn::Not(near), hn::Ne(area, zero)));
+#if HWY_TARGET <= HWY_AVX3
+  const M low = hn::And(near, hn::Le(endRow - firstRow, hn::Set(d, kTinyRows)));
+  const M tiny = hn::And(low, hn::Lt(size, hn::Set(d, 256 * kTinyPixels) * dyA));
+  if (hn::AllFalse(d, hn::AndNot(tiny, drawn))) way = hn::Set(DU(), kTiny), b.drawn[base / kLanes] = drawn.raw;
+#endif
+  hn::Store(way, DU(), b.way + base);
   Append(hn::Iota(DU(), 0) + hn::Set(DU(), base), drawn, b.places, b.size);
   if (!view.shaded) return;
   const auto put = [&](double* to, V v) { hn::Store(hn::IfThenElse(drawn, v, hn::Load(d, to)), d, to); };
