@@ -171,7 +171,7 @@ class Explainer {
     PrimitiveExplanation e = begin(primitive);
     const bool point = figure.kind == Figure::Kind::Point;
     e.kind = point ? PrimitiveExplanation::Kind::Point : PrimitiveExplanation::Kind::Line;
-    e.frontFacing = primitive.frontFacing;
+    e.frontFacing = figure.frontFacing;
     e.ends = {figure.a.position, point ? figure.a.position : figure.b.position};
     e.size = figure.size;
     const Draw& draw = *primitive.draw;

@@ -111,6 +111,7 @@ void FigureMaker::addPoint(Primitive& primitive, const ClipVertex& clip, RasterV
   figure.size = size.nominal;
   figure.existence = existence.freedom;
   figure.nominal = existence.nominal;
+  figure.frontFacing = primitive.frontFacing;
   figure.shape = makePointShape(rounded(clip), vertex, floatPosition(stage_, clip), size, stage_);
   primitive.figures.push_back(std::move(figure));
 }
@@ -172,6 +173,7 @@ void FigureMaker::addLine(Primitive& primitive, const LineEnds& ends, bool ofPol
   figure.size = style.width;
   figure.existence = existence.freedom;
   figure.nominal = existence.nominal;
+  figure.frontFacing = primitive.frontFacing;
   figure.cutsItself = rules_.choices.lineArithmetic == LineArithmetic::Float32Corners;
   const bool clipCorners = rules_.choices.lineArithmetic == LineArithmetic::ClipCorners && !rules_.open && !style.stipple.enabled;
   figure.shape = clipCorners ? makeClipCornerLine(ends.clip, style, stage_, volume_) : makeLineShape(ends, style, rules_);
@@ -235,8 +237,8 @@ PointSize FigureMaker::cornerSize(const Primitive& primitive, const RasterVertex
   return pointSize(static_cast<float>(size), rules_.limits);
 }
 
-void FigureMaker::makeOutline(Primitive& primitive, const ClipPolygon& polygon, uint32_t culled, bool sideIsFree) {
-  const bool allCulled = culled == ~uint32_t{0};
+void FigureMaker::makeOutline(Primitive& primitive, const ClipPolygon& polygon, const FanSides& sides, bool sideIsFree) {
+  const bool allCulled = sides.culled == ~uint32_t{0};
   if (allCulled && !sideIsFree) return;
   ++counts_[Rule::PolygonMode];
   stipple_ = {};
@@ -251,7 +253,9 @@ void FigureMaker::makeOutline(Primitive& primitive, const ClipPolygon& polygon, 
   const bool lastEarly = flagged && scene_.state.polygonMode == PolygonMode::LINE;
   for (size_t k = 0; k < (open ? n - 1 : n); ++k) {
     const size_t i = lastEarly ? flaggedOrder(primitive.cut, scene_.state.provokingVertexMode, n, k) : k;
-    if (!allCulled && (culled >> fanTriangleOf(i, n) & 1) != 0) continue;
+    const size_t part = fanTriangleOf(i, n);
+    if (!allCulled && (sides.culled >> part & 1) != 0) continue;
+    primitive.frontFacing = (sides.front >> part & 1) != 0;
     const RasterVertex& a = primitive.polygon[i];
     if (scene_.state.polygonMode == PolygonMode::POINT) {
       const bool wanted = flagged ? polygon.vertices[i].outlined : !a.made;

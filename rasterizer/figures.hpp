@@ -10,6 +10,11 @@
 
 namespace rasterdiff::rasterizer {
 
+/// Of a polygon's fan, a bit a triangle: whether its share of edges and corners is left out, and which side it shows.
+struct FanSides {
+  uint32_t culled = 0, front = 0;
+};
+
 class FigureMaker {
  public:
   FigureMaker(const Scene& scene, const Rules& rules, const Draw& draw, const VertexStage& stage, const ClipVolume& volume,
@@ -21,9 +26,9 @@ class FigureMaker {
   /// The corner or edge `k` of a triangle as a point or line of its own. [choice:cut-outline]
   void makeCorner(Primitive& primitive, const ClipInput& vertex, size_t k);
   void makeEdge(Primitive& primitive, const ClipInput& a, const ClipInput& b, size_t k);
-  /// A triangle in polygon mode LINE or POINT, from its polygon after clipping. `culled`: bits of the fan's triangles whose
-  /// share of edges and corners is left out. `sideIsFree`: whether it is culled at all depends on legal snapping.
-  void makeOutline(Primitive& primitive, const ClipPolygon& polygon, uint32_t culled, bool sideIsFree);
+  /// A triangle in polygon mode LINE or POINT, from its polygon after clipping. `sideIsFree`: whether it is culled at all depends on
+  /// legal snapping.
+  void makeOutline(Primitive& primitive, const ClipPolygon& polygon, const FanSides& sides, bool sideIsFree);
 
  private:
   /// Is a figure drawn, and what leaves that open?

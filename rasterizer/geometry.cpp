@@ -241,18 +241,15 @@ class DrawGeometry {
     return static_cast<double>(ex * fy - ey * fx);
   }
 
-  // [choice:cull-position] each triangle of the fan on its own; the first that is left gives the facing.
-  uint32_t facesInFloat() {
-    uint32_t culled = 0;
-    for (size_t i = primitive_.polygon.size() - 1; i >= 2; --i) {
+  // [choice:cull-position] each triangle of the fan on its own.
+  FanSides sidesInFloat() const {
+    FanSides sides;
+    for (size_t i = 2; i < primitive_.polygon.size(); ++i) {
       const double area = areaInFloat({0, static_cast<uint8_t>(i - 1), static_cast<uint8_t>(i)}, false);
-      if (pieceMaker_.isCulled(area)) {
-        culled |= uint32_t{1} << (i - 2);
-      } else {
-        primitive_.frontFacing = pieceMaker_.isFront(area);
-      }
+      sides.culled |= uint32_t{pieceMaker_.isCulled(area)} << (i - 2);
+      sides.front |= uint32_t{pieceMaker_.isFront(area)} << (i - 2);
     }
-    return culled;
+    return sides;
   }
 
   // [choice:cut-outline] edges or corners of the triangle, each clipped for itself.
@@ -279,18 +276,18 @@ class DrawGeometry {
   void outline() {
     // [vk:primsrast-polygons-basic] without area it is back-facing.
     bool culled = scene_.state.cullMode != CullMode::NONE && scene_.state.cullMode != CullMode::FRONT;
-    primitive_.frontFacing = false;
+    bool front = false;
     if (!primitive_.pieces.empty()) {
       culled = primitive_.pieces.front().culled;
-      primitive_.frontFacing = primitive_.pieces.front().frontFacing;
+      front = primitive_.pieces.front().frontFacing;
     } else if (rules_.error == DeliberateError::ZeroAreaFront) {
       culled = scene_.state.cullMode != CullMode::NONE && scene_.state.cullMode != CullMode::BACK;
-      primitive_.frontFacing = true;
+      front = true;
     }
-    uint32_t dropped = culled ? ~uint32_t{0} : 0;
-    if (rules_.choices.cullPosition == CullPosition::AlsoFloat) dropped = facesInFloat();
+    const auto all = [](bool on) { return on ? ~uint32_t{0} : 0; };
+    const FanSides sides = rules_.choices.cullPosition == CullPosition::AlsoFloat ? sidesInFloat() : FanSides{all(culled), all(front)};
     const bool oneSideIsCulled = scene_.state.cullMode == CullMode::FRONT || scene_.state.cullMode == CullMode::BACK;
-    figureMaker_.makeOutline(primitive_, clipped_, dropped, rules_.open && oneSideIsCulled && sideIsFree(primitive_));
+    figureMaker_.makeOutline(primitive_, clipped_, sides, rules_.open && oneSideIsCulled && sideIsFree(primitive_));
     primitive_.pieces.clear();
     primitive_.polygon.clear();
   }

@@ -57,6 +57,7 @@ struct Figure {
   float size = 1;     ///< line width or point size, pixels, as the device draws it
   std::shared_ptr<const LineCoverage> solid;  ///< of a stippled line: what it would cover without its pattern
   bool cutsItself = false;  ///< its shape covers nothing outside of the drawing region
+  bool frontFacing = true;  ///< of the polygon that it comes from; of a line or point itself
 };
 
 struct Primitive {

@@ -1,15 +1,17 @@
 #include "harness/hunt/traits.hpp"
-#include "scene/primitive_class.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "rasterizer/assembly.hpp"
+#include "scene/primitive_class.hpp"
+
 namespace rasterdiff::harness::hunt {
 namespace {
 
 constexpr std::array<std::string_view, static_cast<size_t>(Trait::Count_)> kNames{
-    "points", "lines", "triangles", "strip", "fan", "indexed", "restart", "several-draws", "several-primitives",
+    "points", "lines", "triangles", "strip", "fan", "indexed", "restart", "several-draws", "several-primitives", "no-area", "between-no-area",
     "multisampled", "polygon-line", "polygon-point", "culled", "clockwise", "last-provoking",
     "scissor", "viewport-elsewhere", "viewport-flipped", "depth-range", "several-viewports",
     "leaves-sides", "leaves-depth", "no-positive-w", "perspective", "negative-one-to-one",
@@ -60,6 +62,7 @@ class Collector {
     for (const Draw& draw : scene_.draws) {
       primitives += primitiveCount(state, draw);
       set(Trait::Indexed, draw.indices.has_value());
+      if (triangles) areas(draw);
       const auto indices = draw.indices.value_or(std::vector<uint32_t>{});
       set(Trait::Restart, std::find(indices.begin(), indices.end(), kRestartIndex) != indices.end());
       ownSizes = ownSizes || !draw.pointSizes.empty();
@@ -75,6 +78,19 @@ class Collector {
     set(Trait::Rectangular, state.lineRasterizationMode == LineRasterizationMode::RECTANGULAR);
     set(Trait::SmoothLine, state.lineRasterizationMode == LineRasterizationMode::RECTANGULAR_SMOOTH);
     set(Trait::Stipple, state.stippledLineEnable);
+  }
+
+  // Triangles with two corners in one place.
+  void areas(const Draw& draw) {
+    const auto same = [&](uint32_t a, uint32_t b) { return draw.positions[a] == draw.positions[b]; };
+    bool before = false, between = false;
+    for (const rasterizer::AssembledTriangle& t : rasterizer::assemble(draw, scene_.state)) {
+      const bool noArea = same(t.vertices[0], t.vertices[1]) || same(t.vertices[1], t.vertices[2]) || same(t.vertices[2], t.vertices[0]);
+      set(Trait::BetweenNoArea, noArea && between);
+      before = before || noArea;
+      between = between || (before && !noArea);
+    }
+    set(Trait::NoArea, before);
   }
 
   void pointSize(float size) {

@@ -12,7 +12,7 @@
 namespace rasterdiff::harness::hunt {
 
 enum class Trait : uint8_t {
-  Points, Lines, Triangles, Strip, Fan, Indexed, Restart, SeveralDraws, SeveralPrimitives,
+  Points, Lines, Triangles, Strip, Fan, Indexed, Restart, SeveralDraws, SeveralPrimitives, NoArea, BetweenNoArea,
   Multisampled, PolygonLine, PolygonPoint, Culled, Clockwise, LastProvoking,
   Scissor, ViewportElsewhere, ViewportFlipped, DepthRange, SeveralViewports,
   LeavesSides, LeavesDepth, NoPositiveW, Perspective, NegativeOneToOne,

@@ -72,7 +72,7 @@ void BuiltInValues::setUp(const Primitive& primitive, const SetupTriangle& piece
 void BuiltInValues::setUp(const Primitive& primitive, const Figure& figure) {
   if (!any()) return;
   coverage_.setUp(primitive, &figure);
-  bool front = primitive.frontFacing != (rules_.error == DeliberateError::FrontFacingInverted);
+  bool front = figure.frontFacing != (rules_.error == DeliberateError::FrontFacingInverted);
   if (rules_.error == DeliberateError::LinesBackFacing && primitive.assembled.count < 3) front = false;
   facing_ = exactly(front ? 1 : 0);
   if (rules_.open && primitive.assembled.count == 3 && facingIsFree(cornersOf(primitive, figure.a.deviation))) {

@@ -211,6 +211,21 @@ void addTriangles(Family& family) {
     scene.builtIns = {BuiltIn::FragCoord};
     return scene;
   });
+  family.add("clipped-without-area", "a triangle with two corners in one place, whose pieces have an area once clipping and snapping are done", {"R5", "R14", "R23"}, [] {
+    Scene scene = pixel(TRIANGLE_LIST, {{0.1625f, 0.171875f, 0, 1}, {0.1625f, 0.171875f, 0, 1}, {-1, -1, 0, 1}});
+    scene.viewport = {-15, -12, 80, 64, 0, 1};
+    scene.draws[0].clipDistanceCount = 1;
+    scene.draws[0].clipDistances = {0, -3, 0.5f};
+    scene.builtIns = {BuiltIn::FragCoord};
+    return scene;
+  });
+  family.add("edges-of-two-sides", "a triangle in line that clipping cuts: parts of it may show either side, and their edges with them", {"R3", "R12", "R34", "R44"}, [] {
+    Scene scene = pixel(TRIANGLE_LIST, {{0.109375f, -0.1171875f, -0.0625f, 1}, {0.1171875f, -0.125f, 0.75f, 1}, {0.421875f, -0.4296875f, 1.25f, 1}});
+    scene.viewport = {-53, -20, 80, 64, 0, 1};
+    scene.state.polygonMode = PolygonMode::LINE;
+    scene.builtIns = {BuiltIn::FrontFacing};
+    return scene;
+  });
   family.add("behind-eye-turned", "a triangle with a vertex behind the eye, seen almost edge-on: what of it is in view is drawn", {"R3", "R4"}, [] {
     Scene scene = pixel(TRIANGLE_LIST, {{-0.06f, 0.786f, 4, -10.9f}, {-0.005f, -0.021f, 0.06f, 0.28f}, {0.014f, -0.167f, 3, 2.3f}});
     scene.viewport = {-1, -1, 128, 128, 0, 1};

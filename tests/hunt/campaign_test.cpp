@@ -88,6 +88,22 @@ TEST(Hunt, AnEntryExplainsNeitherOtherPlanesNorOtherDriversNorOtherTraits) {
   EXPECT_FALSE(known("mutant", "coverage/extra", "triangles"));
 }
 
+TEST(Hunt, KnowsTrianglesBetweenTwoWithoutArea) {
+  const ClipPosition a{-1, -1, 0.5F, 1}, b{1, 0, 0.5F, 1}, c{-1, 1, 0.5F, 1};
+  const auto isBetween = [](std::vector<ClipPosition> positions, PrimitiveTopology topology = PrimitiveTopology::TRIANGLE_LIST) {
+    Scene scene;
+    scene.state.topology = topology;
+    scene.draws.push_back({.positions = std::move(positions)});
+    return traitsOf(scene).test(static_cast<size_t>(Trait::BetweenNoArea));
+  };
+  EXPECT_TRUE(isBetween({a, a, a, a, b, c, b, b, c}));
+  EXPECT_TRUE(isBetween({a, a, b, c, c}, PrimitiveTopology::TRIANGLE_STRIP));
+  EXPECT_FALSE(isBetween({a, b, c, a, a, a, b, b, b}));
+  EXPECT_FALSE(isBetween({a, a, a, b, b, b, a, b, c}));
+  EXPECT_FALSE(isBetween({a, b, c, a, b, c, a, b, c}));
+  EXPECT_FALSE(isBetween({a, a, a, b, c, c}, PrimitiveTopology::LINE_LIST));
+}
+
 TEST(Hunt, EveryWordOfTheBuiltInBaselineIsATrait) {
   size_t stated = 0;
   for (const BaselineEntry& entry : harness::builtInBaseline().entries) {
