@@ -15,8 +15,8 @@ namespace rasterdiff::rasterizer {
 
 /// Draws all triangles in order into the planes that the target has. The same planes, bit for bit, for every instruction
 /// set and thread count (1 = on the calling thread; 0 = one for each core; threads share the target by bands of rows).
-/// Varyings are evaluated once a sample, after the last triangle: the planes must be clear, or hold what earlier calls
-/// with the same triangles drew.
+/// Varyings are evaluated once a sample, after the last triangle, and of equally deep triangles the one with the lowest number is
+/// kept: the planes of numbers and varyings must be clear, or hold what earlier calls with the same triangles drew.
 void drawValues(const ValueTriangles& triangles, ValueTarget& target, unsigned threads = 1);
 
 /// Draws rows [firstRow, endRow) of all triangles, in order, into a target that begins there and is at least so high, without
