@@ -41,13 +41,13 @@ struct Input {
   const Load* load;
   Attributes attributes;
   std::vector<ValueKind> kinds = std::vector<ValueKind>(kComponents, ValueKind::Perspective);
+  rasterizer::ValueRows<float> carried = rasterizer::carriedValues(attributes.reciprocalW, attributes.values, kComponents);
 
   [[nodiscard]] ValueTriangles first(size_t triangles, const ValueNeeds& needs) const {
-    ValueTriangles all{std::span(load->triangles).first(triangles), {}, {}, {}, {}};
+    ValueTriangles all{std::span(load->triangles).first(triangles), {}, {}, {}};
     if (needs.depth) all.depth = std::span(attributes.depth).first(3 * triangles);
     if (needs.components == 0) return all;
-    all.reciprocalW = std::span(attributes.reciprocalW).first(3 * triangles);
-    all.values = std::span(attributes.values).first(3 * triangles * kComponents);
+    all.carried = carried;
     all.kinds = kinds;
     return all;
   }

@@ -24,12 +24,11 @@ std::array<Quad, 3> weights(const SnappedTriangle& t, SubpixelPosition p) {
 
 std::array<float, 3> valuesOf(const ValueTriangles& triangles, size_t t, size_t component) {
   const size_t components = triangles.kinds.size();
-  std::array<float, 3> v{};
-  for (size_t k = 0; k < 3; ++k) v[k] = triangles.values[(t * 3 + k) * components + component];
-  return v;
+  const auto carried = triangles.carried.subspan(t * carriedSize(components) + 4);
+  return {carried[component], carried[components + component], carried[2 * components + component]};
 }
 
-std::array<float, 3> threeOf(std::span<const float> all, size_t t) { return {all[3 * t], all[3 * t + 1], all[3 * t + 2]}; }
+std::array<float, 3> threeOf(std::span<const float> all, size_t first) { return {all[first], all[first + 1], all[first + 2]}; }
 
 float varyingAt(const ValueTriangles& triangles, size_t t, size_t component, SubpixelPosition p) {
   const std::array<float, 3> v = valuesOf(triangles, t, component);
@@ -38,7 +37,7 @@ float varyingAt(const ValueTriangles& triangles, size_t t, size_t component, Sub
     case ValueKind::Noperspective: return static_cast<float>(exactValue(triangles.positions[t], p, v));
     case ValueKind::Perspective: break;
   }
-  return static_cast<float>(exactPerspectiveValue(triangles.positions[t], p, v, threeOf(triangles.reciprocalW, t)));
+  return static_cast<float>(exactPerspectiveValue(triangles.positions[t], p, v, threeOf(triangles.carried, carriedSize(triangles.kinds.size()) * t)));
 }
 
 void drawSample(const ValueTriangles& triangles, size_t t, uint32_t x, uint32_t y, uint32_t s, ValueTarget& target) {

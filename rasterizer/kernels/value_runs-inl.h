@@ -92,17 +92,14 @@ HWY_INLINE void AppendWanted(const uint32_t* HWY_RESTRICT places, uint64_t start
 #endif
 }
 
-/// Fetches what a triangle's vertices carry.
+/// Fetches where a triangle's vertices are and the `each` floats that they carry.
 HWY_INLINE void PrefetchTriangle(const ValueTriangles& triangles, size_t each, size_t t) {
+  constexpr size_t kLine = 16;  // floats
   const SnappedTriangle* HWY_RESTRICT positions = &triangles.positions[t];
-  const float* HWY_RESTRICT values = triangles.values.data() + each * t;
-  const float* HWY_RESTRICT r = triangles.reciprocalW.data() + 3 * t;
+  const float* HWY_RESTRICT carried = triangles.carried.data() + each * t;
   __builtin_prefetch(positions);
   __builtin_prefetch(&positions->v[2].y);
-  __builtin_prefetch(values);
-  __builtin_prefetch(values + each - 1);
-  __builtin_prefetch(r);
-  __builtin_prefetch(r + 2);
+  for (size_t k = 0; k < each; k += kLine) __builtin_prefetch(carried + k);
 }
 
 /// Bits of the lines of 16 pixels that have any.
@@ -150,7 +147,7 @@ HWY_INLINE void FindRuns(const uint32_t* HWY_RESTRICT numbers, const uint32_t* H
 
 /// Fetches what a strip wants of triangles.
 HWY_INLINE void PrefetchWanted(const ValueTriangles& triangles, const Strip& strip) {
-  const size_t each = 3 * triangles.kinds.size();
+  const size_t each = carriedSize(triangles.kinds.size());
   for (size_t k = 0; k < strip.wantedSize; ++k) PrefetchTriangle(triangles, each, strip.wanted[k]);
 }
 

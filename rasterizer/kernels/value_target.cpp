@@ -6,6 +6,16 @@
 
 namespace rasterdiff::rasterizer {
 
+ValueRows<float> carriedValues(std::span<const float> reciprocalW, std::span<const float> values, size_t components) {
+  ValueRows<float> carried(reciprocalW.size() / 3 * carriedSize(components));
+  float* to = carried.data();
+  for (size_t t = 0; t < reciprocalW.size() / 3; ++t, to += carriedSize(components)) {
+    std::copy_n(reciprocalW.data() + 3 * t, 3, to);
+    std::copy_n(values.data() + 3 * components * t, 3 * components, to + 4);
+  }
+  return carried;
+}
+
 Result<ValueTarget> ValueTarget::create(uint32_t width, uint32_t height, uint32_t samples, ValueNeeds needs) {
   constexpr uint32_t kLargest = 16384;
   if (width == 0 || height == 0 || width > kLargest || height > kLargest)

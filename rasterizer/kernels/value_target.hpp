@@ -24,24 +24,6 @@ struct DepthCorners {
   std::array<double, 3> x{}, y{}, z{};
 };
 
-/// Triangles in drawing order. Empty spans where the target has no plane that needs them.
-struct ValueTriangles {
-  std::span<const SnappedTriangle> positions;
-  std::span<const float> depth;        ///< three a triangle: at its vertices
-  std::span<const float> reciprocalW;  ///< three a triangle: 1 / w at its vertices, > 0; for perspective components
-  std::span<const float> values;       ///< [triangle][vertex][component]
-  std::span<const ValueKind> kinds;    ///< one a component; flat ones take the value of vertex 0
-  std::span<const DepthCorners> corners = {};  ///< one a triangle, instead of `depth`: drawBand only
-};
-
-/// Which planes a target has. Depth is tested by LESS and written.
-struct ValueNeeds {
-  bool primitive = false;   ///< 1 + place of the last triangle that passed; 0: none
-  bool count = false;       ///< how many triangles passed
-  bool depth = false;
-  uint32_t components = 0;  ///< of varyings, evaluated at pixel centres; needs `primitive`
-};
-
 /// For storage that starts at a cache line.
 template <class T>
 struct LineAllocator {
@@ -57,6 +39,30 @@ struct LineAllocator {
 
 template <class T>
 using ValueRows = std::vector<T, LineAllocator<T>>;
+
+/// Floats that the vertices of a triangle carry: 1 / w of each (> 0; for perspective components), one that nobody reads, then
+/// [vertex][component]. Side by side, so that they are fetched together: four components are a cache line.
+[[nodiscard]] constexpr size_t carriedSize(size_t components) { return 4 + 3 * components; }
+
+/// The same of all triangles, from three 1 / w a triangle and [triangle][vertex][component]; starts at a cache line.
+[[nodiscard]] ValueRows<float> carriedValues(std::span<const float> reciprocalW, std::span<const float> values, size_t components);
+
+/// Triangles in drawing order. Empty spans where the target has no plane that needs them.
+struct ValueTriangles {
+  std::span<const SnappedTriangle> positions;
+  std::span<const float> depth;        ///< three a triangle: at its vertices
+  std::span<const float> carried;      ///< carriedSize a triangle; for components
+  std::span<const ValueKind> kinds;    ///< one a component; flat ones take the value of vertex 0
+  std::span<const DepthCorners> corners = {};  ///< one a triangle, instead of `depth`: drawBand only
+};
+
+/// Which planes a target has. Depth is tested by LESS and written.
+struct ValueNeeds {
+  bool primitive = false;   ///< 1 + place of the last triangle that passed; 0: none
+  bool count = false;       ///< how many triangles passed
+  bool depth = false;
+  uint32_t components = 0;  ///< of varyings, evaluated at pixel centres; needs `primitive`
+};
 
 /// Planes of uint32 or float32, sample rows below one another: sample s of pixel (x, y) is element
 /// (y · samples + s) · stride + x. Rows start at cache lines; at least kValuePadding elements behind `width` are scratch.

@@ -28,7 +28,8 @@ void drawWithValues(std::span<const SnappedTriangle> triangles, int32_t width, i
     for (size_t c = 0; c < kinds.size(); ++c) values.push_back(static_cast<float>(random.unit()));
   }
   auto target = *ValueTarget::create(static_cast<uint32_t>(width), static_cast<uint32_t>(height), 1, {true, false, true, 4});
-  drawValues({triangles, depth, reciprocalW, values, kinds}, target);
+  const ValueRows<float> carried = carriedValues(reciprocalW, values, kinds.size());
+  drawValues({triangles, depth, carried, kinds}, target);
   fmt::print("{} samples drawn\n", std::ranges::count_if(target.primitive, [](uint32_t number) { return number != 0; }));
 }
 

@@ -157,6 +157,35 @@ TEST(ValueKernel, EveryInstructionSetAndThreadCountDrawsTheSameBits) {
   }
 }
 
+/// Where all components are in perspective some are fetched together: each is what it is beside a flat one, which is fetched alone.
+TEST(ValueKernel, PerspectiveComponentsAreTheSameInAnyCompany) {
+  constexpr uint32_t kWidth = 150, kHeight = 90;
+  Prng random(41);
+  const std::vector<SnappedTriangle> triangles = someOfEach(kWidth, kHeight, random);
+  for (const size_t count : {1u, 3u, 4u, 5u, 8u, 11u, 16u}) {
+    const ValueLoad load = testing::makeLoad(triangles, std::vector(count, ValueKind::Perspective), random);
+    std::vector<ValueRows<float>> expected;
+    for (size_t c = 0; c < count; ++c) {
+      std::vector<float> values;
+      for (size_t i = 0; i < 3 * triangles.size(); ++i) values.insert(values.end(), {load.values[i * count + c], 0});
+      const std::vector kinds{ValueKind::Perspective, ValueKind::Flat};
+      const ValueRows<float> carried = carriedValues(load.reciprocalW, values, 2);
+      auto target = *ValueTarget::create(kWidth, kHeight, 1, {true, false, true, 2});
+      drawValues({load.positions, load.depth, carried, kinds}, target);
+      expected.push_back(target.varyings[0]);
+    }
+    testing::onEveryTarget([&] {
+      auto target = *ValueTarget::create(kWidth, kHeight, 1, {true, false, true, static_cast<uint32_t>(count)});
+      drawValues(load.view(), target);
+      for (size_t c = 0; c < count; ++c)
+        for (uint32_t y = 0; y < kHeight; ++y)
+          ASSERT_TRUE(std::equal(&target.varyings[c][target.index(0, y, 0)], &target.varyings[c][target.index(kWidth, y, 0)],
+                                 &expected[c][target.index(0, y, 0)]))
+              << "component " << c << " of " << count << ", row " << y;
+    });
+  }
+}
+
 /// So many varyings that they are stored past the caches, where the instruction set can.
 TEST(ValueKernel, VaryingsOfALargeTargetAreThoseOfASmallOne) {
   constexpr uint32_t kWidth = 700, kHeight = 400, kColumns = 128;

@@ -16,8 +16,9 @@ struct ValueLoad {
   std::vector<SnappedTriangle> positions;
   std::vector<float> depth, reciprocalW, values;
   std::vector<ValueKind> kinds;
+  ValueRows<float> carried = {};
 
-  [[nodiscard]] ValueTriangles view() const { return {positions, depth, reciprocalW, values, kinds}; }
+  [[nodiscard]] ValueTriangles view() const { return {positions, depth, carried, kinds}; }
 };
 
 /// Depth in [0, 1), w in [1/8, 8], values in [-1, 1] for each of `kinds`.
@@ -30,6 +31,7 @@ inline ValueLoad makeLoad(std::vector<SnappedTriangle> positions, std::vector<Va
     load.reciprocalW.push_back(1 / static_cast<float>(random.between(0.125, 8.0)));
     for (size_t c = 0; c < load.kinds.size(); ++c) load.values.push_back(static_cast<float>(random.between(-1.0, 1.0)));
   }
+  load.carried = carriedValues(load.reciprocalW, load.values, load.kinds.size());
   return load;
 }
 

@@ -137,7 +137,7 @@ TEST(ValueTiny, PlanesThroughCornersAreTheSameInBandsAndOnEveryInstructionSet) {
     for (size_t i = 0; i < 3; ++i) c.x[i] = load.positions[t].v[i].x / 256.0 + 0.001, c.y[i] = load.positions[t].v[i].y / 256.0, c.z[i] = load.depth[3 * t + i];
     corners.push_back(c);
   }
-  const ValueTriangles triangles{load.positions, {}, {}, {}, {}, corners};
+  const ValueTriangles triangles{load.positions, {}, {}, {}, corners};
   for (const uint32_t samples : {1u, 4u}) {
     std::optional<ValueTarget> expected;
     testing::onEveryTarget([&] {
