@@ -13,7 +13,8 @@ namespace rasterdiff::rasterizer {
 class FigureRules {
  public:
   FigureRules(const Scene& scene, const Rules& rules, const Primitive& primitive, const Figure& figure);
-  [[nodiscard]] std::span<const Rule> all() const { return std::span(rules_).first(count_); }
+  [[nodiscard]] std::span<const Rule> all() const& { return std::span(rules_).first(count_); }
+  std::span<const Rule> all() const&& = delete;  // it would outlive them
   [[nodiscard]] Rule shape() const { return rules_[0]; }
 
  private:

@@ -204,7 +204,8 @@ class Renderer {
       if (open_) markFigureRow(figure, y, columns);
       if (figure.nominal || figure.solid) inside += drawFigureRow(primitive, figure, y, columns);
     }
-    for (const Rule rule : FigureRules(scene_, rules_, primitive, figure).all()) counts_[rule] += inside;
+    const FigureRules atWork(scene_, rules_, primitive, figure);
+    for (const Rule rule : atWork.all()) counts_[rule] += inside;
     countInterpolation(primitive, inside);
   }
 

@@ -99,7 +99,8 @@ TEST(Json, PartsOfTheDriversTimeAreThoseOfTheWholeCall) {
 }
 
 TEST(Json, ARendererThatIsNoDeviceOnlyDraws) {
-  for (const auto& scene : resultsOf({"fill/*", "--driver", "mutant:half-pixel-shift"}).at("scenes")) {
+  const nlohmann::json results = resultsOf({"fill/*", "--driver", "mutant:half-pixel-shift"});
+  for (const auto& scene : results.at("scenes")) {
     const nlohmann::json& seconds = scene.at("seconds");
     EXPECT_EQ(seconds.at("drawing"), seconds.at("driver"));
     for (const char* part : {"pipelines", "upload", "readback"}) EXPECT_EQ(seconds.at(part), 0.0);
