@@ -48,7 +48,7 @@ void drawSample(const ValueTriangles& triangles, size_t t, uint32_t x, uint32_t 
   if (!covers(triangle, p)) return;
   const size_t i = target.index(x, y, s);
   if (target.needs().depth) {
-    const auto depth = static_cast<float>(exactValue(triangle, p, threeOf(triangles.depth, t)));
+    const auto depth = static_cast<float>(exactValue(triangle, p, threeOf(triangles.depth, 3 * t)));
     if (!(depth < target.depth[i])) return;  // LESS
     target.depth[i] = depth;
   }
