@@ -111,7 +111,7 @@ void FigureMaker::addPoint(Primitive& primitive, const ClipVertex& clip, RasterV
   figure.size = size.nominal;
   figure.existence = existence.freedom;
   figure.nominal = existence.nominal;
-  figure.frontFacing = primitive.frontFacing;
+  figure.frontFacing = existence.frontFacing;
   figure.shape = makePointShape(rounded(clip), vertex, floatPosition(stage_, clip), size, stage_);
   primitive.figures.push_back(std::move(figure));
 }
@@ -173,7 +173,7 @@ void FigureMaker::addLine(Primitive& primitive, const LineEnds& ends, bool ofPol
   figure.size = style.width;
   figure.existence = existence.freedom;
   figure.nominal = existence.nominal;
-  figure.frontFacing = primitive.frontFacing;
+  figure.frontFacing = existence.frontFacing;
   figure.cutsItself = rules_.choices.lineArithmetic == LineArithmetic::Float32Corners;
   const bool clipCorners = rules_.choices.lineArithmetic == LineArithmetic::ClipCorners && !rules_.open && !style.stipple.enabled;
   figure.shape = clipCorners ? makeClipCornerLine(ends.clip, style, stage_, volume_) : makeLineShape(ends, style, rules_);
@@ -246,20 +246,19 @@ void FigureMaker::makeOutline(Primitive& primitive, const ClipPolygon& polygon, 
   const size_t n = primitive.polygon.size();
   const bool open = rules_.error == DeliberateError::LineModeOpen && scene_.state.polygonMode == PolygonMode::LINE;
   const bool mayVanish = rules_.open && cutToItsBorder(primitive);
-  const auto existence = [&](bool wanted) {
+  const auto existence = [&](bool wanted, size_t part) {
     const Freedom freedom = !wanted || mayVanish ? Freedom::ClipVertexPosition : sideIsFree ? Freedom::NearZeroArea : Freedom::None;
-    return Existence{wanted && !allCulled, freedom};
+    return Existence{wanted && !allCulled, freedom, (sides.front >> part & 1) != 0};
   };
   const bool lastEarly = flagged && scene_.state.polygonMode == PolygonMode::LINE;
   for (size_t k = 0; k < (open ? n - 1 : n); ++k) {
     const size_t i = lastEarly ? flaggedOrder(primitive.cut, scene_.state.provokingVertexMode, n, k) : k;
     const size_t part = fanTriangleOf(i, n);
     if (!allCulled && (sides.culled >> part & 1) != 0) continue;
-    primitive.frontFacing = (sides.front >> part & 1) != 0;
     const RasterVertex& a = primitive.polygon[i];
     if (scene_.state.polygonMode == PolygonMode::POINT) {
       const bool wanted = flagged ? polygon.vertices[i].outlined : !a.made;
-      if (wanted || rules_.open) addPoint(primitive, polygon.vertices[i], a, cornerSize(primitive, a), existence(wanted));
+      if (wanted || rules_.open) addPoint(primitive, polygon.vertices[i], a, cornerSize(primitive, a), existence(wanted, part));
       continue;
     }
     const RasterVertex& b = primitive.polygon[(i + 1) % n];
@@ -272,7 +271,7 @@ void FigureMaker::makeOutline(Primitive& primitive, const ClipPolygon& polygon, 
     // A triangle cut down to one of its edges has that edge, and the one along the cut in the same place.
     const bool alongCut = atCorner(a) && atCorner(b);
     const bool wanted = flagged ? polygon.vertices[i].outlined : !primitive.cut || (onOriginalEdge(a, b) && !alongCut);
-    if (wanted || rules_.open) addLine(primitive, ends, true, existence(wanted));
+    if (wanted || rules_.open) addLine(primitive, ends, true, existence(wanted, part));
   }
 }
 

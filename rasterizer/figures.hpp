@@ -31,10 +31,11 @@ class FigureMaker {
   void makeOutline(Primitive& primitive, const ClipPolygon& polygon, const FanSides& sides, bool sideIsFree);
 
  private:
-  /// Is a figure drawn, and what leaves that open?
+  /// Is a figure drawn, what leaves that open, and which side of a polygon does it show?
   struct Existence {
     bool nominal = true;
     Freedom freedom = Freedom::None;
+    bool frontFacing = true;
   };
 
   [[nodiscard]] bool pointSurvives(const ClipInput& vertex);

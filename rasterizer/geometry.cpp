@@ -122,7 +122,6 @@ class DrawGeometry {
     primitive_.pieces.clear();
     primitive_.figures.clear();
     primitive_.cut = primitive_.cutByDistance = primitive_.unprojectable = primitive_.folded = primitive_.reversed = false;
-    primitive_.frontFacing = true;
     for (size_t k = 0; k < 3; ++k) primitive_.clip[k] = draw_.positions[assembled.vertices[k]];
     if (culledByDistance()) {
       ++counts_[Rule::UserDistance];
@@ -255,13 +254,14 @@ class DrawGeometry {
   // [choice:cut-outline] edges or corners of the triangle, each clipped for itself.
   void uncutOutline() {
     const bool corners = scene_.state.polygonMode == PolygonMode::POINT;
+    bool front = false;
     if (rules_.choices.cullPosition == CullPosition::UncutFloat32) {
       const float area = corners ? clipDeterminant(primitive_.clip) : uncutDoubleArea<float>(primitive_.clip, stage_);
-      primitive_.frontFacing = pieceMaker_.isFront(static_cast<double>(area)) || (area == 0 && !corners);
+      front = pieceMaker_.isFront(static_cast<double>(area)) || (area == 0 && !corners);
     } else {
-      primitive_.frontFacing = pieceMaker_.isFront(uncutDoubleArea<double>(primitive_.clip, stage_));
+      front = pieceMaker_.isFront(uncutDoubleArea<double>(primitive_.clip, stage_));
     }
-    if (pieceMaker_.isFaceCulled(primitive_.frontFacing)) return;
+    if (pieceMaker_.isFaceCulled(front)) return;
     const auto& v = primitive_.assembled.vertices;
     for (size_t i = 0; i < 3; ++i) {
       if (corners) {
@@ -270,6 +270,7 @@ class DrawGeometry {
         figureMaker_.makeEdge(primitive_, input(v[i]), input(v[(i + 1) % 3]), i);
       }
     }
+    for (Figure& figure : primitive_.figures) figure.frontFacing = front;
   }
 
   // [vk:primsrast-polygonmode] edges or corners of what clipping and culling left.

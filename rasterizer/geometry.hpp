@@ -73,7 +73,6 @@ struct Primitive {
   std::vector<RasterVertex> polygon;
   std::vector<SetupTriangle> pieces;  ///< filled triangles
   std::vector<Figure> figures;        ///< lines and points
-  bool frontFacing = true;            ///< of the primitive that figures come from; lines and points are front-facing
   ViewportTransform viewport;         ///< the one the primitive was drawn through
   float minDepth = 0, maxDepth = 1;   ///< of that viewport, as given
   uint32_t viewportIndex = 0;

@@ -39,13 +39,17 @@ std::vector<Planes> planesOf(Task task) {
 /// What all contenders on a load draw.
 struct Input {
   const Load* load;
-  Attributes attributes;
+  std::vector<float> depth;
+  rasterizer::ValueRows<float> carried;
   std::vector<ValueKind> kinds = std::vector<ValueKind>(kComponents, ValueKind::Perspective);
-  rasterizer::ValueRows<float> carried = rasterizer::carriedValues(attributes.reciprocalW, attributes.values, kComponents);
+
+  Input(const Load& drawn, Attributes attributes)
+      : load(&drawn), depth(std::move(attributes.depth)),
+        carried(rasterizer::carriedValues(attributes.reciprocalW, attributes.values, kComponents)) {}
 
   [[nodiscard]] ValueTriangles first(size_t triangles, const ValueNeeds& needs) const {
     ValueTriangles all{std::span(load->triangles).first(triangles), {}, {}, {}};
-    if (needs.depth) all.depth = std::span(attributes.depth).first(3 * triangles);
+    if (needs.depth) all.depth = std::span(depth).first(3 * triangles);
     if (needs.components == 0) return all;
     all.carried = carried;
     all.kinds = kinds;
@@ -164,7 +168,7 @@ Result<std::vector<Contender>> valueContenders(const Load& load, Task task, cons
     }
   }
   if (variants.empty() && expected == nullptr) return std::vector<Contender>{};
-  const auto input = std::make_shared<const Input>(Input{&load, attributesOf(task == Task::Coverage ? 0 : load.triangles.size())});
+  const auto input = std::make_shared<const Input>(Input(load, attributesOf(task == Task::Coverage ? 0 : load.triangles.size())));
   const ValueNeeds all = planesOf(task).back().needs;
   Result<ValueTarget> exact = newTarget(load, all);
   if (!exact) return tl::unexpected(exact.error());

@@ -141,7 +141,7 @@ HWY_INLINE void LoadLines(const ValueTriangles& triangles, const uint32_t* HWY_R
 HWY_INLINE void LoadGroup(const ValueTriangles& triangles, size_t count, size_t first, const uint32_t* HWY_RESTRICT t, PerVertex group[kGroup]) {
   __m512 row[8];
   for (int lane = 0; lane < 8; ++lane) {
-    const float* HWY_RESTRICT v = CarriedBy(triangles, count, t[lane]) + carriedSize(0) + first;
+    const float* HWY_RESTRICT v = CarriedBy(triangles, count, t[lane]) + kBeforeValues + first;
     row[lane] = _mm512_insertf32x4(_mm512_castps128_ps512(_mm_loadu_ps(v)), _mm_loadu_ps(v + count), 1);
     row[lane] = _mm512_insertf32x4(row[lane], _mm_loadu_ps(v + 2 * count), 2);
   }
@@ -155,7 +155,7 @@ HWY_INLINE void LoadGroup(const ValueTriangles& triangles, size_t count, size_t 
   const ShadeD d;
   const hn::Repartition<double, ShadeF> pairs;
   for (size_t vertex = 0; vertex < 3; ++vertex) {
-    const auto row = [&](size_t lane) { return hn::LoadU(f, CarriedBy(triangles, count, t[lane]) + carriedSize(0) + vertex * count + first); };
+    const auto row = [&](size_t lane) { return hn::LoadU(f, CarriedBy(triangles, count, t[lane]) + kBeforeValues + vertex * count + first); };
     const auto two = [&](auto v) { return hn::BitCast(pairs, v); };
     const auto row0 = row(0), row1 = row(1), row2 = row(2), row3 = row(3);
     const auto low01 = two(hn::InterleaveLower(f, row0, row1)), low23 = two(hn::InterleaveLower(f, row2, row3));
@@ -167,12 +167,27 @@ HWY_INLINE void LoadGroup(const ValueTriangles& triangles, size_t count, size_t 
 }
 #endif
 
+/// 1 / w, and with them, where all components are in perspective and lie in one line with them, their values; returns how many.
+template <bool kAllPerspective>
+HWY_INLINE size_t LoadReciprocalW(const ValueTriangles& triangles, size_t count, const uint32_t* HWY_RESTRICT t, PerVertex& reciprocalW,
+                                  PerVertex group[kGroup]) {
+#if HWY_TARGET <= HWY_AVX3
+  if (kAllPerspective && count == kGroup) {
+    LoadLines(triangles, t, reciprocalW, group);
+    return kGroup;
+  }
+#endif
+  (void)group;
+  reciprocalW = ReciprocalWOf(triangles, count, t);
+  return 0;
+}
+
 /// Of one component: the triangles' values by vertex.
 HWY_INLINE PerVertex LoadOne(const ValueTriangles& triangles, size_t count, size_t component, const uint32_t* HWY_RESTRICT t) {
   const ShadeD d;
   alignas(64) double lanes[3][kShadeLanes];
   for (size_t lane = 0; lane < kShadeLanes; ++lane) {
-    const float* HWY_RESTRICT v = CarriedBy(triangles, count, t[lane]) + carriedSize(0) + component;
+    const float* HWY_RESTRICT v = CarriedBy(triangles, count, t[lane]) + kBeforeValues + component;
     for (size_t i = 0; i < 3; ++i) lanes[i][lane] = v[i * count];
   }
   return {{hn::Load(d, lanes[0]), hn::Load(d, lanes[1]), hn::Load(d, lanes[2])}};

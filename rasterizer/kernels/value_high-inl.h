@@ -25,7 +25,7 @@ template <class P>
 HWY_INLINE void AppendCovered(const ValueView& view, const ValueBatch& b, size_t i, size_t s, CoveredRows& rows, Chunks& chunks) {
   const D d;
   const DU du;
-  const V two52 = hn::Set(d, 4503599627370496.0);
+  const V two52 = hn::Set(d, kTwo52);
   const auto exponent = hn::Set(du, uint64_t{0x433} << 52), half = hn::Set(du, 0xFFFF);
   const auto number = [&](hn::Vec<DU> v) { return hn::BitCast(d, hn::Or(hn::And(v, half), exponent)) - two52; };
   const ChunkSource<P> source(view, b, i);
@@ -46,7 +46,7 @@ HWY_NOINLINE void FindChunksOfHigh(const ValueView& view, const ValueBatch& b, s
   if (!P::kDepth && view.samples > 1) return FindChunks<P>(view, b, i, chunks);
   const D d;
   const RowLines lines = LinesOf(b, i);
-  const V two52 = hn::Set(d, 4503599627370496.0), two16 = hn::Set(d, 65536), endRow = hn::Set(d, b.endRow[i]);
+  const V two52 = hn::Set(d, kTwo52), two16 = hn::Set(d, 65536), endRow = hn::Set(d, b.endRow[i]);
   constexpr auto kRows = static_cast<double>(CoveredRows::kSize);
   CoveredRows rows;
   for (double piece = b.firstRow[i]; piece < b.endRow[i]; piece += kRows) {

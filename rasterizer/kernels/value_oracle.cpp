@@ -24,7 +24,7 @@ std::array<Quad, 3> weights(const SnappedTriangle& t, SubpixelPosition p) {
 
 std::array<float, 3> valuesOf(const ValueTriangles& triangles, size_t t, size_t component) {
   const size_t components = triangles.kinds.size();
-  const auto carried = triangles.carried.subspan(t * carriedSize(components) + 4);
+  const auto carried = triangles.carried.subspan(t * carriedSize(components) + kBeforeValues);
   return {carried[component], carried[components + component], carried[2 * components + component]};
 }
 

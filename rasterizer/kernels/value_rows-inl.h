@@ -28,15 +28,14 @@ struct Chunks {
   size_t size = 0;
 };
 
-/// Which planes are written, whether depth planes go through DepthCorners, with meetings counted, and whether triangles come in
-/// another order than theirs (value_order.hpp): then of those that are equally deep the first one is kept by its number.
-template <bool kPrimitiveV, bool kCountV, bool kDepthV, bool kCornersV = false, bool kReorderedV = false>
+/// Which planes are written, whether depth planes go through DepthCorners, with meetings counted, and whether of equally deep triangles
+/// the first one is kept by its number, since they come in another order than theirs (value_order.hpp).
+template <bool kPrimitiveV, bool kCountV, bool kDepthV, bool kCornersV = false, bool kNumbersDecideV = false>
 struct Planes {
-  static constexpr bool kPrimitive = kPrimitiveV, kCount = kCountV, kDepth = kDepthV, kCorners = kCornersV, kReordered = kReorderedV;
-  static constexpr bool kNumbersDecide = kReordered && kPrimitive;
+  static constexpr bool kPrimitive = kPrimitiveV, kCount = kCountV, kDepth = kDepthV, kCorners = kCornersV, kNumbersDecide = kNumbersDecideV;
   /// What is as deep as what is there has to be looked at, too.
   static constexpr bool kMeets = kCorners || kNumbersDecide;
-  static_assert(!kReordered || (kDepth && !kCount && !kCorners));
+  static_assert(!kNumbersDecide || (kPrimitive && kDepth && !kCount && !kCorners));
 };
 
 #if HWY_TARGET <= HWY_AVX3
@@ -102,8 +101,8 @@ HWY_INLINE hn::Mask<ChunkF> AndNotAlike(hn::Mask<ChunkF> apart, hn::Vec<ChunkF> 
 }
 
 /// Writes pixels [i, i + kChunkLanes) of the planes where `mask` says so and depth passes. Whole vectors are stored: a load
-/// that follows a masked store of the same place would wait for it. Numbers need not be loaded where a store can be masked. If triangles
-/// are reordered, takes out of `apart` where a depth, covered or not, meets its like. Returns the depths that are there now.
+/// that follows a masked store of the same place would wait for it. Numbers need not be loaded where a store can be masked. If numbers
+/// decide, takes out of `apart` where a depth, covered or not, meets its like. Returns the depths that are there now.
 template <class P>
 HWY_INLINE hn::Vec<ChunkF> WriteChunk(const ValueView& view, size_t i, hn::Mask<ChunkF> mask, hn::Vec<ChunkF> depth, uint32_t number,
                                      hn::Mask<ChunkF>& apart) {
@@ -250,7 +249,7 @@ HWY_INLINE hn::Vec<DU> BitsBetween(V from, V to) {
   const auto bits = [&](V v) { return hn::Vec<DU>{_mm512_sllv_epi64(_mm512_set1_epi64(0xFF), _mm512_cvtpd_epi64(hn::Max(v, zero).raw))}; };
   return hn::And(hn::AndNot(bits(to), bits(from)), hn::Set(du, 0xFF));
 #else
-  const V eight = hn::Set(d, 8), two52 = hn::Set(d, 4503599627370496.0);
+  const V eight = hn::Set(d, 8), two52 = hn::Set(d, kTwo52);
   const auto bound = [&](V v) { return hn::And(hn::BitCast(du, hn::Min(hn::Max(v, zero), eight) + two52), hn::Set(du, 15)); };
   const auto ones = hn::Set(du, 0xFF);
   return hn::And(hn::AndNot(hn::Shl(ones, bound(to)), hn::Shl(ones, bound(from))), ones);

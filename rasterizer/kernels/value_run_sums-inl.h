@@ -105,16 +105,7 @@ HWY_NOINLINE void SetUpRunsOf(const ValueTriangles& triangles, const Components&
     size_t first = 0;
     if (kAllPerspective || components.perspective) {
       PerVertex r;
-#if HWY_TARGET <= HWY_AVX3
-      if (kAllPerspective && components.count == kGroup) {
-        LoadLines(triangles, t, r, group);
-        first = kGroup;
-      } else {
-        r = ReciprocalWOf(triangles, components.count, t);
-      }
-#else
-      r = ReciprocalWOf(triangles, components.count, t);
-#endif
+      first = LoadReciprocalW<kAllPerspective>(triangles, components.count, t, r, group);
       for (size_t i = 0; i < 3; ++i) perspective.at.v[i] = plain.at.v[i] * r.v[i], perspective.growth.v[i] = plain.growth.v[i] * r.v[i];
       hn::Store(SumOf(perspective.at), d, sums.perspective[0] + k);
       hn::Store(SumOf(perspective.growth), d, sums.perspective[1] + k);

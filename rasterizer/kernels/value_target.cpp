@@ -11,7 +11,7 @@ ValueRows<float> carriedValues(std::span<const float> reciprocalW, std::span<con
   float* to = carried.data();
   for (size_t t = 0; t < reciprocalW.size() / 3; ++t, to += carriedSize(components)) {
     std::copy_n(reciprocalW.data() + 3 * t, 3, to);
-    std::copy_n(values.data() + 3 * components * t, 3 * components, to + 4);
+    std::copy_n(values.data() + 3 * components * t, 3 * components, to + kBeforeValues);
   }
   return carried;
 }

@@ -42,7 +42,8 @@ using ValueRows = std::vector<T, LineAllocator<T>>;
 
 /// Floats that the vertices of a triangle carry: 1 / w of each (> 0; for perspective components), one that nobody reads, then
 /// [vertex][component]. Side by side, so that they are fetched together: four components are a cache line.
-[[nodiscard]] constexpr size_t carriedSize(size_t components) { return 4 + 3 * components; }
+inline constexpr size_t kBeforeValues = 4;
+[[nodiscard]] constexpr size_t carriedSize(size_t components) { return kBeforeValues + 3 * components; }
 
 /// The same of all triangles, from three 1 / w a triangle and [triangle][vertex][component]; starts at a cache line.
 [[nodiscard]] ValueRows<float> carriedValues(std::span<const float> reciprocalW, std::span<const float> values, size_t components);

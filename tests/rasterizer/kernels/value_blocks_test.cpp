@@ -39,27 +39,8 @@ ValueTarget farTarget(uint32_t width, uint32_t height, uint32_t samples, bool on
   return target;
 }
 
-/// What `load` draws if each triangle is drawn alone, where nothing can hide it.
-ValueTarget drawnApart(const ValueLoad& load, const ValueTarget& cleared) {
-  ValueTarget apart = cleared;
-  for (size_t t = 0; t < load.positions.size(); ++t) {
-    const ValueLoad one{{load.positions[t]}, {load.depth[3 * t], load.depth[3 * t + 1], load.depth[3 * t + 2]}, {}, {}, {}};
-    ValueTarget alone = cleared;
-    drawValues(one.view(), alone);
-    for (uint32_t y = 0; y < apart.height(); ++y)
-      for (uint32_t s = 0; s < apart.samples(); ++s)
-        for (size_t i = apart.index(0, y, s); i < apart.index(apart.width(), y, s); ++i) {
-          if (alone.primitive[i] == 0 || !(alone.depth[i] < apart.depth[i])) continue;
-          apart.depth[i] = alone.depth[i];
-          apart.primitive[i] = static_cast<uint32_t>(t + 1);
-          ++apart.count[i];
-        }
-  }
-  return apart;
-}
-
 void expectSameTogether(const ValueLoad& load, const ValueTarget& cleared) {
-  const ValueTarget apart = drawnApart(load, cleared);
+  const ValueTarget apart = testing::drawnApart(load, cleared);
   testing::onEveryTarget([&] {
     for (const unsigned threads : {1u, 3u}) {
       ValueTarget together = cleared;

@@ -1,5 +1,6 @@
 // Tiny triangles, which a kernel may draw a vector at a time, are drawn in their order and where they are, whatever they are beside.
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <optional>
 
@@ -105,18 +106,9 @@ TEST(ValueTiny, DepthsAreThoseOfTrianglesDrawnOneByOne) {
       Prng random(samples + others);
       ValueLoad load = testing::makeLoad(manyTiny(500, samples == 1 ? 4 : 3, others, random), {}, random);
       for (size_t t = 0; t < load.positions.size(); t += 3) std::fill_n(&load.depth[3 * t], 3, 0.25F);  // equally deep
-      ValueTarget expected = *ValueTarget::create(kWidth, kHeight, samples, kAll);
-      for (size_t t = 0; t < load.positions.size(); ++t) {
-        // Beside one that is not tiny and never passes.
-        const SnappedTriangle large{{SubpixelPosition{0, 0}, {256 * 40, 0}, {0, 256 * 30}}};
-        const ValueLoad one{{load.positions[t], large}, {load.depth[3 * t], load.depth[3 * t + 1], load.depth[3 * t + 2], 2, 2, 2}, {}, {}, {}};
-        ValueTarget alone = *ValueTarget::create(kWidth, kHeight, samples, kAll);
-        drawValues(one.view(), alone);
-        for (size_t i = 0; i < alone.depth.size(); ++i) {
-          if (alone.primitive[i] == 0 || !(alone.depth[i] < expected.depth[i])) continue;
-          expected.depth[i] = alone.depth[i], expected.primitive[i] = static_cast<uint32_t>(t + 1), ++expected.count[i];
-        }
-      }
+      // A vector with a large one is not drawn as tiny ones are.
+      const std::array large{SnappedTriangle{{SubpixelPosition{0, 0}, {256 * 40, 0}, {0, 256 * 30}}}};
+      const ValueTarget expected = testing::drawnApart(load, *ValueTarget::create(kWidth, kHeight, samples, kAll), large);
       testing::onEveryTarget([&] {
         EXPECT_EQ(drawn(load, samples, kAll).differing(expected), 0u) << samples << " samples";
         const ValueTarget numbered = drawn(load, samples, {true, false, true, 0});
