@@ -6,6 +6,7 @@
 
 #include "rasterizer/choice_table.hpp"
 #include "rasterizer/cut_polygon.hpp"
+#include "rasterizer/drawing_region.hpp"
 #include "rasterizer/fragment/alpha_to_coverage.hpp"
 #include "rasterizer/fragment/coverage_freedom.hpp"
 #include "rasterizer/fragment/shader_mask.hpp"
@@ -16,7 +17,6 @@
 #include "rasterizer/sample_grid.hpp"
 #include "rasterizer/sample_pattern.hpp"
 #include "rasterizer/shape.hpp"
-#include "rasterizer/target_area.hpp"
 
 namespace rasterdiff::rasterizer {
 namespace {
@@ -90,14 +90,14 @@ class CandidateFinder {
         found(queries.size()) {}
 
   void visit(const Primitive& primitive) {
-    area_ = targetArea(scene_, primitive.viewportIndex);
+    region_ = drawingRegion(scene_, primitive.viewportIndex, rules_);
     shaderMask_.begin(*primitive.draw);
     coverage_.setUp(primitive, nullptr);
     for (const Figure& figure : primitive.figures) visitFigure(primitive, figure);
     if (primitive.polygon.empty() && !primitive.unprojectable) return;
     if (primitive.unprojectable) {
       for (size_t q = 0; q < queries_.size(); ++q) {
-        if (area_.contains(static_cast<int32_t>(queries_[q].x), static_cast<int32_t>(queries_[q].y))) {
+        if (region_.area.contains(static_cast<int32_t>(queries_[q].x), static_cast<int32_t>(queries_[q].y))) {
           add(q, primitive, nullptr, {Coverage::Either, Freedom::DivisionByZero, std::nullopt});
         }
       }
@@ -107,10 +107,12 @@ class CandidateFinder {
     std::optional<FreedomBand> band;
     index_.inBox(box.x0, box.y0, box.x1, box.y1, [&](size_t q) {
       const SampleQuery& query = queries_[q];
-      if (!area_.contains(static_cast<int32_t>(query.x), static_cast<int32_t>(query.y))) return;
+      const auto x = static_cast<int32_t>(query.x), y = static_cast<int32_t>(query.y);
       const SubpixelPosition& offset = pattern_[query.sample];
       const int64_t px = int64_t{query.x} * kSubpixelOne + offset.x, py = int64_t{query.y} * kSubpixelOne + offset.y;
+      const auto mayWrite = [&](const SetupTriangle& piece) { return !piece.culled && region_.of(primitive, piece).contains(x, y, offset); };
       if (rules_.open) {
+        if (!region_.area.contains(x, y)) return;
         if (!band) band.emplace(primitive, scene_.state.cullMode, scene_.state.frontFace);
         const BandVerdict verdict = band->classifyExactly(px, py);
         if (verdict.coverage != Coverage::Out) add(q, primitive, pieceAt(primitive, px, py), verdict);
@@ -118,11 +120,11 @@ class CandidateFinder {
       }
       if (primitive.folded) {
         const std::optional<size_t> drawn = CutPolygon(primitive, rules_).pieceAt(px, py);
-        if (drawn && !primitive.pieces[*drawn].culled) add(q, primitive, &primitive.pieces[*drawn], {Coverage::In, Freedom::None, std::nullopt});
+        if (drawn && mayWrite(primitive.pieces[*drawn])) add(q, primitive, &primitive.pieces[*drawn], {Coverage::In, Freedom::None, std::nullopt});
         return;
       }
       for (const SetupTriangle& piece : primitive.pieces) {
-        if (!piece.culled && piece.covers(px, py)) add(q, primitive, &piece, {Coverage::In, Freedom::None, std::nullopt});
+        if (piece.covers(px, py) && mayWrite(piece)) add(q, primitive, &piece, {Coverage::In, Freedom::None, std::nullopt});
       }
     });
   }
@@ -135,7 +137,7 @@ class CandidateFinder {
       const SampleQuery& query = queries_[q];
       const auto x = static_cast<int32_t>(query.x), y = static_cast<int32_t>(query.y);
       const RowSpan columns = figure.shape->columns(y);
-      if (!area_.contains(x, y) || x < columns.begin || x >= columns.end) return;
+      if (!region_.allows(figure, x, y) || x < columns.begin || x >= columns.end) return;
       const int64_t px = int64_t{x} * kSubpixelOne + pattern_[query.sample].x;
       const int64_t py = int64_t{y} * kSubpixelOne + pattern_[query.sample].y;
       BandVerdict verdict;
@@ -237,7 +239,7 @@ class CandidateFinder {
   const SceneNeeds needs_;
   std::span<const SampleQuery> queries_;
   const std::vector<SubpixelPosition> pattern_;
-  PixelArea area_;  // of the primitive being visited
+  DrawingRegion region_;  // of the primitive being visited
   const QueryIndex index_;
   PieceValues values_;
   ShaderMask shaderMask_;

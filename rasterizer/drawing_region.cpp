@@ -39,6 +39,15 @@ SampleArea DrawingRegion::of(const PixelBox& box) const {
   return result;
 }
 
+SampleArea DrawingRegion::of(const SubpixelBox& box) const {
+  const auto pixel = [](int32_t v) { return v >> kSubpixelBits; };
+  return of(PixelBox{pixel(box.low.x), pixel(box.low.y), pixel(box.high.x - 1), pixel(box.high.y - 1)});
+}
+
+SampleArea DrawingRegion::of(const Primitive& primitive, const SetupTriangle& piece) const {
+  return of(primitive.folded ? SubpixelBox(primitive) : SubpixelBox(primitive, piece));
+}
+
 DrawingRegion drawingRegion(const Scene& scene, uint32_t index, const Rules& rules) {
   DrawingRegion region{targetArea(scene, index, rules.error)};
   if (rules.choices.drawingRegion == DrawingRegionRule::Scissor) return region;

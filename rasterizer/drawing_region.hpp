@@ -4,6 +4,7 @@
 
 #include "rasterizer/row_span.hpp"
 #include "rasterizer/rules.hpp"
+#include "rasterizer/subpixel_box.hpp"
 #include "rasterizer/target_area.hpp"
 
 namespace rasterdiff::rasterizer {
@@ -40,6 +41,11 @@ struct DrawingRegion {
 
   /// For a polygon with this box. Samples outside of the target are the caller's business.
   [[nodiscard]] SampleArea of(const PixelBox& box) const;
+  [[nodiscard]] SampleArea of(const SubpixelBox& box) const;
+  /// For a piece of a primitive; pieces that are folded together have one area.
+  [[nodiscard]] SampleArea of(const Primitive& primitive, const SetupTriangle& piece) const;
+  /// May the figure write the samples of this pixel?
+  [[nodiscard]] bool allows(const Figure& figure, int32_t x, int32_t y) const { return figure.cutsItself || area.contains(x, y); }
 };
 
 /// For draws through viewport `index`, which has its own scissor.

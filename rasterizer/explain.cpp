@@ -5,6 +5,7 @@
 
 #include "rasterizer/choice_table.hpp"
 #include "rasterizer/cut_polygon.hpp"
+#include "rasterizer/drawing_region.hpp"
 #include "rasterizer/figure_rules.hpp"
 #include "rasterizer/fragment_replay.hpp"
 #include "rasterizer/figure_verdict.hpp"
@@ -78,13 +79,13 @@ Rule decidingRule(const PrimitiveExplanation& e, Rule shape, bool tie, bool insi
 class Explainer {
  public:
   Explainer(const Scene& scene, const Rules& rules, SampleQuery query, SampleExplanation& result)
-      : scene_(scene), rules_(rules), query_(query), needs_(needsOf(scene)), replay_(scene, rules, query, result.position),
-        result_(result) {}
+      : scene_(scene), rules_(rules), query_(query), x_(static_cast<int32_t>(query.x)), y_(static_cast<int32_t>(query.y)),
+        offset_{result.position.x - x_ * kSubpixelOne, result.position.y - y_ * kSubpixelOne}, needs_(needsOf(scene)),
+        replay_(scene, rules, query, result.position), result_(result) {}
 
   void add(const Primitive& primitive) {
     reached_.push_back(primitive.number);
-    inScissor_ = targetArea(scene_, primitive.viewportIndex, rules_.error)
-                     .contains(static_cast<int32_t>(query_.x), static_cast<int32_t>(query_.y));
+    region_ = drawingRegion(scene_, primitive.viewportIndex, rules_);
     if (primitive.unprojectable) result_.primitives.push_back(explainUnprojectable(primitive));
     for (const SetupTriangle& piece : primitive.pieces) {
       if (reaches(primitive, piece, result_.position)) result_.primitives.push_back(explainPiece(primitive, piece));
@@ -107,10 +108,10 @@ class Explainer {
   }
 
   template <class Part>
-  void settle(PrimitiveExplanation& e, const Primitive& primitive, const Part& part, bool inside) {
-    if (inside && !inScissor_) e.fate.end = FragmentFate::End::OutsideScissor;
-    if (inside && inScissor_) e.fate = replay_.next(primitive, part);
-    e.covered = inside && inScissor_;
+  void settle(PrimitiveExplanation& e, const Primitive& primitive, const Part& part, bool inside, bool writable) {
+    if (inside && !writable) e.fate.end = FragmentFate::End::OutsideScissor;
+    if (inside && writable) e.fate = replay_.next(primitive, part);
+    e.covered = inside && writable;
     e.coverage = e.covered ? Coverage::In : Coverage::Out;
     if (!needs_.depth) return;
     PieceValues values(scene_, needs_, rules_);
@@ -118,8 +119,9 @@ class Explainer {
     e.depth = values.depth(result_.position.x / double{kSubpixelOne}, result_.position.y / double{kSubpixelOne}).value;
   }
 
-  void allow(PrimitiveExplanation& e, const BandVerdict& verdict) const {
-    if (!rules_.open || !inScissor_) return;
+  // Open rules, under which nothing leaks.
+  void allow(PrimitiveExplanation& e, const BandVerdict& verdict, bool writable) const {
+    if (!rules_.open || !writable) return;
     e.coverage = verdict.coverage;
     e.freedom = verdict.freedom;
   }
@@ -128,7 +130,7 @@ class Explainer {
     PrimitiveExplanation e = begin(primitive);
     e.unprojectable = true;
     e.decidedBy = Rule::Division;
-    allow(e, {Coverage::Either, Freedom::DivisionByZero, std::nullopt});
+    allow(e, {Coverage::Either, Freedom::DivisionByZero, std::nullopt}, region_.area.contains(x_, y_));
     return e;
   }
 
@@ -136,7 +138,7 @@ class Explainer {
   [[nodiscard]] bool dropsFragments(const Primitive& primitive) const {
     return leavesDistancesToFragments(rules_) && primitive.draw->clipDistanceCount > 0;
   }
-  [[nodiscard]] bool keeps(const KeptFragments& kept) const { return kept.keeps(static_cast<int32_t>(query_.x), static_cast<int32_t>(query_.y)); }
+  [[nodiscard]] bool keeps(const KeptFragments& kept) const { return kept.keeps(x_, y_); }
   [[nodiscard]] VertexStage stageOf(const Primitive& primitive) const { return {rules_, primitive.viewport, scene_.target.samples}; }
 
   PrimitiveExplanation explainPiece(const Primitive& primitive, const SetupTriangle& piece) {
@@ -160,8 +162,9 @@ class Explainer {
       inside = drawn && &primitive.pieces[*drawn] == &piece;
     }
     const bool kept = !dropsFragments(primitive) || keeps(KeptFragments(primitive, stageOf(primitive)));
-    settle(e, primitive, piece, inside && kept && !piece.culled);
-    if (rules_.open) allow(e, FreedomBand(primitive, scene_.state.cullMode, scene_.state.frontFace).classifyExactly(p.x, p.y));
+    const bool writable = region_.of(primitive, piece).contains(x_, y_, offset_);
+    settle(e, primitive, piece, inside && kept && !piece.culled, writable);
+    if (rules_.open) allow(e, FreedomBand(primitive, scene_.state.cullMode, scene_.state.frontFace).classifyExactly(p.x, p.y), writable);
     e.decidedBy = kept ? decidingRule(e, Rule::SampleCoverage, tie && touched, touched) : Rule::UserDistance;
     return e;
   }
@@ -187,8 +190,9 @@ class Explainer {
     e.dropped = !inside && figure.solid != nullptr && figure.solid->covers(p.x, p.y, ignored);
     if (e.facts.sides.empty() && !e.facts.diamond && figure.solid != nullptr) e.facts = figure.solid->facts(p.x, p.y);
     const bool kept = !dropsFragments(primitive) || keeps(KeptFragments(primitive, figure, stageOf(primitive)));
-    settle(e, primitive, figure, inside && kept);
-    if (rules_.open) allow(e, legalVerdict(figure, p.x, p.y));
+    const bool writable = region_.allows(figure, x_, y_);
+    settle(e, primitive, figure, inside && kept, writable);
+    if (rules_.open) allow(e, legalVerdict(figure, p.x, p.y), writable);
     e.decidedBy = kept ? decidingRule(e, own.shape(), tie, inside) : Rule::UserDistance;
     return e;
   }
@@ -196,11 +200,13 @@ class Explainer {
   const Scene& scene_;
   const Rules& rules_;
   const SampleQuery query_;
+  const int32_t x_, y_;            // its pixel
+  const SubpixelPosition offset_;  // of the sample from the pixel's corner
   const SceneNeeds needs_;
   FragmentReplay replay_;
   SampleExplanation& result_;
   std::vector<uint32_t> reached_;
-  bool inScissor_ = true;
+  DrawingRegion region_;  // of the primitive being explained
 };
 
 }  // namespace

@@ -50,7 +50,7 @@ class Renderer {
     if (primitive.folded) drawFolded(primitive);
     for (const SetupTriangle& piece : primitive.pieces) {
       if (piece.culled || primitive.folded) continue;
-      const Box box = boxOf(primitive, piece);
+      const SubpixelBox box(primitive, piece);
       expect(box);
       values_.setUp(primitive, piece);
       writer_.beginPiece(primitive.number, values_);
@@ -72,31 +72,16 @@ class Renderer {
 
   static constexpr int32_t kExpectedRows = 16;  // of taller pieces the processor fetches the rest by itself
 
-  struct Box {
-    SubpixelPosition low, high;
-  };
-
-  [[nodiscard]] static Box boxOf(const Primitive& primitive, const SetupTriangle& piece) {
-    Box box{primitive.polygon[piece.corner[0]].snapped, primitive.polygon[piece.corner[0]].snapped};
-    for (const uint8_t corner : piece.corner) extend(box, primitive.polygon[corner].snapped);
-    return box;
-  }
-
-  static void extend(Box& box, const SubpixelPosition& p) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
-
-  void expect(const Box& box) {
+  void expect(const SubpixelBox& box) {
     const int32_t first = std::max(box.low.y >> kSubpixelBits, whole_.top);
     const int32_t last = std::min(box.high.y >> kSubpixelBits, whole_.bottom - 1);
     if (last - first < kExpectedRows) writer_.expect(box.low.x >> kSubpixelBits, first, last);
   }
 
   // Returns the number of samples inside.
-  uint64_t drawPiece(const Primitive& primitive, const SetupTriangle& piece, const Box& box) {
+  uint64_t drawPiece(const Primitive& primitive, const SetupTriangle& piece, const SubpixelBox& box) {
     const auto pixel = [](int32_t v) { return v >> kSubpixelBits; };
-    const SampleArea writable = region_.of({pixel(box.low.x), pixel(box.low.y), pixel(box.high.x - 1), pixel(box.high.y - 1)});
+    const SampleArea writable = region_.of(box);
     const int32_t first = std::max(pixel(box.low.y), whole_.top);
     const int32_t last = std::min(pixel(box.high.y), whole_.bottom - 1);
     uint64_t inside = 0, ties = 0;
@@ -170,9 +155,8 @@ class Renderer {
   // Returns the number of samples inside.
   uint64_t drawPart(const Primitive& primitive, const CutPolygon& polygon, size_t piece) {
     const auto pixel = [](int32_t v) { return v >> kSubpixelBits; };
-    Box box{primitive.polygon[0].snapped, primitive.polygon[0].snapped};
-    for (const RasterVertex& vertex : primitive.polygon) extend(box, vertex.snapped);
-    const SampleArea writable = region_.of({pixel(box.low.x), pixel(box.low.y), pixel(box.high.x - 1), pixel(box.high.y - 1)});
+    const SubpixelBox box(primitive);
+    const SampleArea writable = region_.of(box);
     uint64_t inside = 0;
     for (int32_t y = std::max(pixel(box.low.y), whole_.top); y <= std::min(pixel(box.high.y), whole_.bottom - 1); ++y) {
       for (int32_t x = std::max(pixel(box.low.x), whole_.left); x <= std::min(pixel(box.high.x), whole_.right - 1); ++x) {
@@ -239,7 +223,7 @@ class Renderer {
   void markFigureRow(const Figure& figure, int32_t y, RowSpan columns) {
     const bool pixels = figure.shape->classifiesPixels();
     for (int32_t x = columns.begin; x < columns.end; ++x) {
-      if (!figure.cutsItself && !area_.contains(x, y)) continue;
+      if (!region_.allows(figure, x, y)) continue;
       Coverage coverage = Coverage::Out;
       for (uint32_t s = 0; s < pattern_.size(); ++s) {
         const int64_t px = int64_t{x} * kSubpixelOne + pattern_[s].x, py = int64_t{y} * kSubpixelOne + pattern_[s].y;
@@ -251,7 +235,7 @@ class Renderer {
 
   // Returns the number of samples inside.
   uint64_t drawFigurePixel(const Primitive& primitive, const Figure& figure, int32_t x, int32_t y) {
-    const bool inside = figure.cutsItself || area_.contains(x, y);
+    const bool inside = region_.allows(figure, x, y);
     uint64_t samples = 0;
     for (uint32_t s = 0; s < pattern_.size(); ++s) {
       const int64_t px = int64_t{x} * kSubpixelOne + pattern_[s].x, py = int64_t{y} * kSubpixelOne + pattern_[s].y;

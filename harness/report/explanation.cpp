@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "harness/report/explanation_parts.hpp"
@@ -114,6 +115,12 @@ void writeSuspicion(Out out, const Suspicion& suspicion) {
                  left == 0 ? "all" : grouped(suspicion.differing - left), grouped(suspicion.differing));
 }
 
+const char* scissorNote(const rasterizer::SampleExplanation& sample) {
+  if (sample.insideScissor) return "";
+  const bool covered = std::ranges::any_of(sample.primitives, &rasterizer::PrimitiveExplanation::covered);
+  return covered ? ", OUTSIDE THE SCISSOR [vk:fragops-scissor], WHICH THESE RULES LET IT THROUGH" : ", OUTSIDE THE SCISSOR [vk:fragops-scissor]";
+}
+
 }  // namespace
 
 std::string explanationText(const Explanation& e) {
@@ -124,7 +131,7 @@ std::string explanationText(const Explanation& e) {
                  counted(e.scene.target.samples, "sample"));
   fmt::format_to(out, "sample      {} of pixel ({}, {}), at {} = ({}, {})/256{}\n", e.query.sample, e.query.x, e.query.y,
                  place(sample.position), sample.position.x, sample.position.y,
-                 sample.insideScissor ? "" : ", OUTSIDE THE SCISSOR [vk:fragops-scissor]");
+                 scissorNote(sample));
   fmt::format_to(out, "rules       {}{}, {} subpixel bits\n\n", e.rules.name, e.rules.open ? " (every choice open)" : "",
                  e.rules.limits.subPixelPrecisionBits);
   if (sample.primitives.empty()) fmt::format_to(out, "no primitive comes near this pixel\n");

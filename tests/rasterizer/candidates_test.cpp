@@ -147,16 +147,32 @@ TEST(Candidates, SampleOutsideOfTheTargetIsRefused) {
 }
 
 // Under closed rules the candidates of a sample are just the primitives that the frame counted there, the last one wins.
+void expectThoseOfTheFrame(const Scene& scene, const Rules& rules) {
+  const Frame frame = *render(scene, rules);
+  const auto queries = everySample(scene);
+  const auto found = *candidates(scene, rules, queries);
+  for (size_t i = 0; i < queries.size(); ++i) {
+    ASSERT_EQ(found[i].size(), frame.count.data[i]);
+    ASSERT_EQ(found[i].empty() ? 0 : found[i].back().primitive, frame.primitive.data[i]);
+  }
+}
+
 TEST(Candidates, AgreeWithTheFrameUnderClosedRules) {
-  for (const bool perspective : {false, true}) {
-    const Scene scene = randomTriangles({3, 200, Grid::Half, 4, perspective, 32, false});
-    const Frame frame = *render(scene, testing::referenceRules());
-    const auto queries = everySample(scene);
-    const auto found = *candidates(scene, testing::referenceRules(), queries);
-    for (size_t i = 0; i < queries.size(); ++i) {
-      ASSERT_EQ(found[i].size(), frame.count.data[i]);
-      ASSERT_EQ(found[i].empty() ? 0 : found[i].back().primitive, frame.primitive.data[i]);
-    }
+  for (const bool perspective : {false, true}) expectThoseOfTheFrame(randomTriangles({3, 200, Grid::Half, 4, perspective, 32, false}), testing::referenceRules());
+}
+
+// [choice:drawing-region] also where borders let samples through, or the viewport cuts.
+TEST(Candidates, AgreeWithTheFrameInADrawingRegionThatLeaks) {
+  Rules rules = testing::referenceRules();
+  rules.choices.drawingRegion = DrawingRegionRule::RoundedViewport;
+  for (const PrimitiveTopology topology : {PrimitiveTopology::TRIANGLE_LIST, PrimitiveTopology::POINT_LIST}) {
+    Scene scene = randomTriangles({4, 200, Grid::Half, 4, false, 32, false});
+    scene.state.topology = topology;
+    scene.scissor = Rect2D{5, 7, 20, 20};
+    expectThoseOfTheFrame(scene, rules);
+    scene.scissor.reset();
+    scene.viewport.x += 3, scene.viewport.width -= 8;
+    expectThoseOfTheFrame(scene, rules);
   }
 }
 

@@ -76,6 +76,26 @@ TEST(Explain, TieOwnersMatchTheFrame) {
   EXPECT_FALSE(e.primitives[1].covered);
 }
 
+// [choice:drawing-region] a sample outside of the scissor that the profile draws nevertheless.
+TEST(Explain, DrawsSamplesThatLeakThroughTheScissor) {
+  Scene scene = testing::sceneOf({{0, 0}, {8, 0}, {0, 8}}, 8);
+  scene.target.samples = 4;
+  scene.scissor = Rect2D{2, 0, 4, 8};
+  Rules rules = testing::referenceRules();
+  for (const bool leaky : {false, true}) {
+    rules.choices.drawingRegion = leaky ? DrawingRegionRule::RoundedViewport : DrawingRegionRule::Scissor;
+    for (uint32_t sample = 0; sample < 4; ++sample) {
+      const SampleExplanation e = *explain(scene, rules, {1, 3, sample});
+      EXPECT_FALSE(e.insideScissor);
+      const bool rightHalf = e.position.x >= 256 + 128;
+      ASSERT_EQ(e.primitives.size(), 1U);
+      EXPECT_EQ(e.primitives[0].covered, leaky && rightHalf);
+      EXPECT_EQ(e.owner, leaky && rightHalf ? 1U : 0U);
+      EXPECT_EQ(e.primitives[0].fate.end, leaky && rightHalf ? FragmentFate::End::Written : FragmentFate::End::OutsideScissor);
+    }
+  }
+}
+
 TEST(Explain, UnderOpenRulesShowsTheRangeOfEachEdge) {
   const Scene scene = testing::sceneOf({{2.5 - 1.0 / 512, 0}, {8, 4}, {2.5 - 1.0 / 512, 8}}, 8);
   const SampleExplanation e = *explain(scene, openRules(), {2, 4, 0});
