@@ -108,7 +108,8 @@ void FigureMaker::addPoint(Primitive& primitive, const ClipVertex& clip, RasterV
   Figure figure;
   figure.kind = Figure::Kind::Point;
   figure.a = vertex;
-  figure.size = size.nominal;
+  figure.size = figure.smallest = figure.largest = size.drawn(rules_.choices.pointArithmetic);
+  if (rules_.open) figure.smallest = size.smallest, figure.largest = size.largest;
   figure.existence = existence.freedom;
   figure.nominal = existence.nominal;
   figure.frontFacing = existence.frontFacing;

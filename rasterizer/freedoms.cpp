@@ -28,6 +28,8 @@ constexpr std::array kFreedoms{
                 "the corners of a line's outline, and the cuts of its stipple, have no stated precision"},
     FreedomInfo{LineWidthStep, "line-width", "vk:limits-lineWidthRange",
                 "widths between the advertised ones may be supported too"},
+    FreedomInfo{PointSizeStep, "point-size", "vk:limits-pointSizeGranularity",
+                "sizes between the advertised ones may be supported too, up to as far away as the nearest advertised one"},
     FreedomInfo{LineAlgorithm, "line-algorithm", "vk:primsrast-lines-basic",
                 "without strictLines a line may be a parallelogram or follow the rules for Bresenham lines"},
     FreedomInfo{BresenhamDeviation, "bresenham-deviation", "vk:primsrast-lines-bresenham",

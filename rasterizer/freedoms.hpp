@@ -18,6 +18,7 @@ enum class Freedom : uint8_t {
   DivisionByZero,      ///< a vertex with w = 0 inside the view volume has no place on the screen
   LineCorner,          ///< corners of a line's outline have no stated precision
   LineWidthStep,       ///< widths between the advertised ones may be supported too
+  PointSizeStep,       ///< the same of point sizes
   LineAlgorithm,       ///< without strictLines: a parallelogram or a Bresenham line
   BresenhamDeviation,  ///< Bresenham lines: one pixel aside, one fragment more or less
   SmoothLine,          ///< which pixels near a smooth line are covered, and how exactly their area is told

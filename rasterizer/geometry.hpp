@@ -55,6 +55,7 @@ struct Figure {
   Freedom existence = Freedom::None;  ///< why the specification leaves open whether it is drawn at all
   bool nominal = true;                ///< is it drawn where that is open?
   float size = 1;     ///< line width or point size, pixels, as the device draws it
+  float smallest = 1, largest = 1;  ///< of a point: sizes that it may have instead under open rules; otherwise that size
   std::shared_ptr<const LineCoverage> solid;  ///< of a stippled line: what it would cover without its pattern
   bool cutsItself = false;  ///< its shape covers nothing outside of the drawing region
   bool frontFacing = true;  ///< of the polygon that it comes from; of a line or point itself

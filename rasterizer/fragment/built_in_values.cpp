@@ -82,8 +82,22 @@ void BuiltInValues::setUp(const Primitive& primitive, const Figure& figure) {
   if (!isPoint_) return;
   const RasterVertex& vertex = figure.a;
   const double sign = rules_.error == DeliberateError::PointCoordUp ? -1 : 1;
-  pointS_ = acrossPoint(vertex.position.x, double{figure.size}, vertex.deviation, 1);
-  pointT_ = acrossPoint(vertex.position.y, double{figure.size}, vertex.deviation, sign);
+  const auto across = [&](double centre, double direction) {
+    const auto of = [&](float size) { return acrossPoint(centre, double{size}, vertex.deviation, direction); };
+    return AcrossPoint{of(figure.size), of(figure.smallest), of(figure.largest)};
+  };
+  pointS_ = across(vertex.position.x, 1), pointT_ = across(vertex.position.y, sign);
+}
+
+// At a place it is monotonic in the size.
+Interval BuiltInValues::AcrossPoint::over(const EvaluationRegion& region) const {
+  Interval all = linearOver(own, region);
+  if (least.dx == most.dx) return all;
+  for (const LinearFunction* other : {&least, &most}) {
+    const Interval here = linearOver(*other, region);
+    all.lo = std::min(all.lo, here.lo), all.hi = std::max(all.hi, here.hi);
+  }
+  return all;
 }
 
 Spot BuiltInValues::nominalSpot(const FragmentPlace& place, const AttributeLocation& location) const {
@@ -147,8 +161,8 @@ void BuiltInValues::pointCoord(const FragmentPlace& place, const AttributeLocati
   const auto flipped = [](const Spot& spot) { return Spot{spot.y, spot.x}; };
   RegionStorage turned;
   for (size_t i = 0; i < region.corners.size(); ++i) turned.box[i] = flipped(region.corners[i]);
-  out[0] = toFloat(linearOver(pointS_, region));
-  out[1] = toFloat(linearOver(pointT_, EvaluationRegion{flipped(nominal), std::span<const Spot>(turned.box).first(region.corners.size())}));
+  out[0] = toFloat(pointS_.over(region));
+  out[1] = toFloat(pointT_.over(EvaluationRegion{flipped(nominal), std::span<const Spot>(turned.box).first(region.corners.size())}));
 }
 
 Interpolated BuiltInValues::sampleMask(const FragmentPlace& place, const AttributeLocation& location) {

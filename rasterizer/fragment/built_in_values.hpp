@@ -47,7 +47,12 @@ class BuiltInValues {
   CoverageFreedom coverage_;
   Interpolated facing_;
   bool isPoint_ = false;
-  LinearFunction pointS_, pointT_;
+  /// Across a point along an axis: at its own size, the smallest and the largest that it may have.
+  struct AcrossPoint {
+    LinearFunction own, least, most;
+    [[nodiscard]] Interval over(const EvaluationRegion& region) const;
+  };
+  AcrossPoint pointS_, pointT_;
 };
 
 }  // namespace rasterdiff::rasterizer

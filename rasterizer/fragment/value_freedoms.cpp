@@ -1,7 +1,10 @@
 #include "rasterizer/fragment/value_freedoms.hpp"
 
+#include <algorithm>
+
 #include "rasterizer/fragment/sample_shading.hpp"
 #include "rasterizer/lines/smooth_line.hpp"
+#include "rasterizer/points/square_point.hpp"
 
 namespace rasterdiff::rasterizer {
 namespace {
@@ -36,12 +39,24 @@ Freedom ofVarying(Interpolation interpolation, bool multisampled, bool byMajorAx
   return byMajorAxis ? Freedom::LineInterpolation : Freedom::None;
 }
 
-Freedom ofBuiltIn(BuiltIn builtIn, const SampleShading& shading, bool multisampled) {
+bool somePointSizeIsFree(const Scene& scene, const Limits& limits) {
+  const auto isFree = [&](float size) { return pointSize(size, limits).isFree(); };
+  return std::ranges::any_of(scene.draws, [&](const Draw& draw) {
+    return draw.pointSizes.empty() ? isFree(scene.state.pointSize) : std::ranges::any_of(draw.pointSizes, isFree);
+  });
+}
+
+Freedom ofPointCoord(const Scene& scene, const Limits& limits) {
+  if (scene.target.samples > 1) return Freedom::AttributePosition;
+  return somePointSizeIsFree(scene, limits) ? Freedom::PointSizeStep : Freedom::None;
+}
+
+Freedom ofBuiltIn(BuiltIn builtIn, const Scene& scene, const Limits& limits, const SampleShading& shading) {
   switch (builtIn) {
     case BuiltIn::FragCoord:
       if (!shading.certain) return Freedom::SampleShadingRate;
-      return multisampled ? Freedom::AttributePosition : Freedom::None;
-    case BuiltIn::PointCoord: return multisampled ? Freedom::AttributePosition : Freedom::None;
+      return scene.target.samples > 1 ? Freedom::AttributePosition : Freedom::None;
+    case BuiltIn::PointCoord: return ofPointCoord(scene, limits);
     case BuiltIn::FrontFacing: return Freedom::NearZeroArea;
     case BuiltIn::SampleMask: return shading.certain ? Freedom::SnapRounding : Freedom::SampleShadingRate;
     case BuiltIn::SampleId:
@@ -64,7 +79,7 @@ std::vector<Freedom> valueFreedoms(const Scene& scene, const Rules& rules) {
     freedoms.push_back(ifOpen(ofVarying(scene.draws[0].varyings[v].interpolation, multisampled, byMajorAxis, smoothLine)));
   }
   const SampleShading shading = sampleShading(scene);
-  for (const BuiltIn builtIn : scene.builtIns) freedoms.push_back(ifOpen(ofBuiltIn(builtIn, shading, multisampled)));
+  for (const BuiltIn builtIn : scene.builtIns) freedoms.push_back(ifOpen(ofBuiltIn(builtIn, scene, rules.limits, shading)));
   for (size_t v = 0; scene.target.resolve && v < varyings; ++v) freedoms.push_back(Freedom::ResolveRounding);
   if (scene.target.depthResolveMode) {
     freedoms.push_back(scene.target.depthResolveMode == ResolveMode::AVERAGE ? Freedom::ResolveRounding : Freedom::None);

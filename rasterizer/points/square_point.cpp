@@ -21,7 +21,7 @@ class SquarePoint final : public Shape {
     double low = 0, high = 0;    // the sides of the nominal square, 1/256 pixel
     Interval certain, possible;  // the closed square for every legal centre, and for any (possible: low <= p <= high - 1)
   };
-  SquarePoint(const Axis& x, const Axis& y) : x_(x), y_(y) {}
+  SquarePoint(const Axis& x, const Axis& y, bool sizeIsFree) : x_(x), y_(y), sizeIsFree_(sizeIsFree) {}
 
   [[nodiscard]] Rows rows() const override {
     const RowSpan span = pixels(y_);
@@ -50,7 +50,7 @@ class SquarePoint final : public Shape {
     if (!x_.possible.contains(px) || !y_.possible.contains(py)) return {};
     bool tie = false;
     static_cast<void>(covers(px, py, tie));
-    return {Coverage::Either, tie ? Freedom::TieOwner : Freedom::SnapRounding, std::nullopt};
+    return {Coverage::Either, tie ? Freedom::TieOwner : sizeIsFree_ ? Freedom::PointSizeStep : Freedom::SnapRounding, std::nullopt};
   }
 
  private:
@@ -61,6 +61,7 @@ class SquarePoint final : public Shape {
   }
 
   Axis x_, y_;
+  bool sizeIsFree_;
 };
 
 // As snapFrom, halves to even.
@@ -90,6 +91,17 @@ Interval clipCorners(float coordinate, float w, const ViewportAxis& axis, float 
 }
 
 }  // namespace
+
+float PointSize::drawn(PointArithmetic arithmetic) const {
+  switch (arithmetic) {
+    case PointArithmetic::SnappedCentre:
+    case PointArithmetic::SnappedCentreEven:
+    case PointArithmetic::ClipCorners: return requested;
+    case PointArithmetic::Exact:
+    case PointArithmetic::SnappedCorners: return nominal;
+  }
+  return nominal;
+}
 
 PointSize pointSize(float size, const Limits& limits) {
   PointSize result;
@@ -147,7 +159,8 @@ std::unique_ptr<Shape> makePointShape(const ClipPosition& position, const Raster
       axis(position.x, stage.viewport.x, vertex.position.x, centre.x, vertex.snapped.x, vertex.lowest.x, vertex.highest.x,
            ownsTies(ties, 0, -1)),
       axis(position.y, stage.viewport.y, vertex.position.y, centre.y, vertex.snapped.y, vertex.lowest.y, vertex.highest.y,
-           ownsTies(ties, 1, 0)));
+           ownsTies(ties, 1, 0)),
+      size.isFree());
 }
 
 }  // namespace rasterdiff::rasterizer

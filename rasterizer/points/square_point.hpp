@@ -15,6 +15,10 @@ namespace rasterdiff::rasterizer {
 struct PointSize {
   float requested = 1;  ///< clamped, not rounded
   float nominal = 1, smallest = 1, largest = 1;
+
+  [[nodiscard]] bool isFree() const { return smallest < largest; }
+  /// Some rules draw any size, whatever is advertised.
+  [[nodiscard]] float drawn(PointArithmetic arithmetic) const;
 };
 [[nodiscard]] PointSize pointSize(float size, const Limits& limits);
 

@@ -5,6 +5,7 @@
 
 #include "fragment_support.hpp"
 #include "rasterizer/fragment/line_plane.hpp"
+#include "rasterizer/fragment/value_freedoms.hpp"
 #include "scene/needs.hpp"
 
 namespace rasterdiff::rasterizer {
@@ -165,6 +166,41 @@ TEST(PointCoord, MayBeThatOfAnySampleUnderOpenRules) {
   const Bounds s = frame.varyings[0].bounds->at(8, 7, 0, 0);
   for (const int sixteenths : {2, 6, 8, 10, 14}) EXPECT_TRUE(contains(s, 0.5F + static_cast<float>(sixteenths) / 64));
   EXPECT_FALSE(contains(s, 0.5F + 18.0F / 64));
+}
+
+// [vk:limits-pointSizeGranularity] a size between two advertised ones: the nearest of them, or what was asked for.
+TEST(PointCoord, IsThatOfASizeThatMayBeDrawn) {
+  Scene scene = pointScene(8, 8, 2.0625F);
+  scene.builtIns = {BuiltIn::PointCoord};
+  Rules rules = withPointSizes(specificationRules());
+  const auto at = [](float size) { return static_cast<float>(0.5 + 0.5 / size); };
+  for (const float granularity : {0.0F, 0.125F}) {
+    rules.limits.pointSizeGranularity = granularity;
+    const Frame frame = drawn(scene, rules);
+    ASSERT_EQ(frame.primitive.at(8, 8, 0), 1U);
+    const Bounds s = frame.varyings[0].bounds->at(8, 8, 0, 0);
+    EXPECT_TRUE(contains(s, at(2.0625F)));
+    EXPECT_EQ(contains(s, at(2)), granularity > 0);
+    EXPECT_EQ(contains(s, at(2.125F)), granularity > 0);
+    EXPECT_FALSE(contains(s, at(2.25F)));
+    EXPECT_EQ(valueFreedoms(scene, rules).front(), granularity > 0 ? Freedom::PointSizeStep : Freedom::None);
+  }
+}
+
+// [choice:point-arithmetic]
+TEST(PointCoord, IsThatOfTheSizeThatAProfileDraws) {
+  Scene scene = pointScene(8, 8, 2.0625F);
+  scene.builtIns = {BuiltIn::PointCoord};
+  Rules rules = withPointSizes(testing::referenceRules());
+  rules.limits.pointSizeGranularity = 0.125F;
+  for (const PointArithmetic arithmetic : {PointArithmetic::Exact, PointArithmetic::SnappedCentre, PointArithmetic::SnappedCentreEven,
+                                           PointArithmetic::SnappedCorners, PointArithmetic::ClipCorners}) {
+    rules.choices.pointArithmetic = arithmetic;
+    const bool advertised = arithmetic == PointArithmetic::Exact || arithmetic == PointArithmetic::SnappedCorners;
+    const Frame frame = drawn(scene, rules);
+    ASSERT_EQ(frame.primitive.at(8, 8, 0), 1U);
+    EXPECT_EQ(frame.varyings[0].values.at(8, 8, 0, 0), static_cast<float>(0.5 + 0.5 / (advertised ? 2.0 : 2.0625)));
+  }
 }
 
 TEST(PointCoord, OfATriangleDrawnAsPointsIsUndefined) {
