@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, static_cast<size_t>(Trait::Count_)> kName
     "leaves-sides", "leaves-depth", "no-positive-w", "perspective", "negative-one-to-one",
     "depth", "depth-unorm", "depth-test", "depth-bias", "depth-clamp", "depth-clip-stated",
     "wide-line", "bresenham", "rectangular", "smooth-line", "stipple", "large-point", "small-point",
-    "clip-distance", "cull-distance", "sample-mask", "sample-mask-at-one-sample", "shader-mask", "shader-mask-shifted", "sample-shading", "alpha-to-coverage", "resolve", "sample-locations",
+    "clip-distance", "cull-distance", "cull-behind-clip", "sample-mask", "sample-mask-at-one-sample", "shader-mask", "shader-mask-shifted", "sample-shading", "alpha-to-coverage", "resolve", "sample-locations",
     "smooth", "noperspective", "flat", "centroid", "sample", "offset",
     "frag-coord", "front-facing", "point-coord", "sample-mask-in", "sample-id", "sample-position",
     "non-finite"};
@@ -142,9 +142,13 @@ class Collector {
     set(Trait::SampleLocations, scene_.target.sampleLocations.has_value());
   }
 
+  /// Laid out one after the other, four a location: do cull distances begin where clip distances have not filled the first one?
+  static bool startsAmongFour(const Draw& draw) { return draw.clipDistanceCount > 0 && draw.clipDistanceCount < 4 && draw.cullDistanceCount > 0; }
+
   void vertices(const Draw& draw) {
     set(Trait::ClipDistance, draw.clipDistanceCount > 0);
     set(Trait::CullDistance, draw.cullDistanceCount > 0);
+    set(Trait::CullBehindClip, startsAmongFour(draw) && draw.clipDistanceCount + draw.cullDistanceCount > 4);
     for (const ClipPosition& p : draw.positions) {
       set(Trait::NonFinite, !std::isfinite(p.x + p.y + p.z + p.w));
       set(Trait::NoPositiveW, !(p.w > 0));

@@ -18,7 +18,7 @@ enum class Trait : uint8_t {
   LeavesSides, LeavesDepth, NoPositiveW, Perspective, NegativeOneToOne,
   Depth, DepthUnorm, DepthTest, DepthBias, DepthClamp, DepthClipStated,
   WideLine, Bresenham, Rectangular, SmoothLine, Stipple, LargePoint, SmallPoint,
-  ClipDistance, CullDistance, SampleMask, SampleMaskAtOneSample, ShaderMask, ShaderMaskShifted, SampleShading, AlphaToCoverage, Resolve, SampleLocations,
+  ClipDistance, CullDistance, CullBehindClip, SampleMask, SampleMaskAtOneSample, ShaderMask, ShaderMaskShifted, SampleShading, AlphaToCoverage, Resolve, SampleLocations,
   Smooth, NoPerspective, Flat, Centroid, Sample, Offset,
   FragCoord, FrontFacing, PointCoord, SampleMaskIn, SampleId, SamplePosition,
   NonFinite, Count_

@@ -18,6 +18,18 @@ Scene triangles(uint32_t count, std::vector<float> values) {
   return scene;
 }
 
+/// Triangles with `clips` clip distances, none of which is negative, and `culls` cull distances, of which the last decides: the first
+/// triangle goes.
+Scene behindClips(uint32_t clips, uint32_t culls) {
+  constexpr size_t kVertices = 6;
+  std::vector<float> values(kVertices * culls, 1);
+  for (size_t vertex = 0; vertex < 3; ++vertex) values[(vertex + 1) * culls - 1] = -1;
+  Scene scene = triangles(culls, std::move(values));
+  scene.draws[0].clipDistanceCount = clips;
+  scene.draws[0].clipDistances.assign(kVertices * clips, 0);
+  return scene;
+}
+
 }  // namespace
 
 void addCullDistance(Entries& entries) {
@@ -35,6 +47,8 @@ void addCullDistance(Entries& entries) {
     scene.draws[0].clipDistances = {1, 1, 1, -1, 1, 1, 1, 1, -1};
     return scene;
   });
+  family.add("behind-three-clips", "two cull distances and three clip distances", rules, [] { return behindClips(3, 2); });
+  family.add("behind-five-clips", "three cull distances and five clip distances", rules, [] { return behindClips(5, 3); });
   family.add("lines-points", "lines are culled too", {"R5", "R27"}, [] {
     Scene scene = square(32);
     useLines(scene, LineRasterizationMode::RECTANGULAR);

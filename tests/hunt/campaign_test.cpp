@@ -104,6 +104,20 @@ TEST(Hunt, KnowsTrianglesBetweenTwoWithoutArea) {
   EXPECT_FALSE(isBetween({a, a, a, b, c, c}, PrimitiveTopology::LINE_LIST));
 }
 
+// Where lavapipe goes wrong: four distances a location, and cull distances that lie across two after clip distances in the first.
+TEST(Hunt, KnowsCullDistancesThatLieAcrossTwoLocationsBehindClipDistances) {
+  for (uint32_t clips = 0; clips <= 7; ++clips) {
+    for (uint32_t culls = 0; clips + culls <= 8; ++culls) {
+      Scene scene;
+      scene.draws.resize(1);
+      scene.draws[0].clipDistanceCount = clips;
+      scene.draws[0].cullDistanceCount = culls;
+      const bool across = culls > 0 && clips > 0 && clips < 4 && clips + culls > 4;
+      EXPECT_EQ(traitsOf(scene).test(static_cast<size_t>(Trait::CullBehindClip)), across) << clips << " and " << culls;
+    }
+  }
+}
+
 TEST(Hunt, EveryWordOfTheBuiltInBaselineIsATrait) {
   size_t stated = 0;
   for (const BaselineEntry& entry : harness::builtInBaseline().entries) {
