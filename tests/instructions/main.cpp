@@ -1,4 +1,4 @@
-// count_instructions WORKLOAD [values]: draws one fixed workload once on AVX2, the best instruction set that valgrind knows,
+// count_instructions WORKLOAD [values]: draws one fixed workload once on the instruction set that highway.cpp chooses,
 // for check.cmake to count the instructions of `drawCoverage`, or with `values` those of `drawValues`.
 #include <fmt/format.h>
 
@@ -6,8 +6,6 @@
 #include <span>
 #include <string_view>
 #include <vector>
-
-#include <hwy/targets.h>
 
 #include "rasterizer/kernels/coverage_mask.hpp"
 #include "rasterizer/kernels/value_kernel.hpp"
@@ -47,7 +45,6 @@ int main(int argc, char** argv) {
   Prng random(1);
   std::vector<SnappedTriangle> triangles;
   while (triangles.size() < 20'000) triangles.push_back(family->make(random));
-  hwy::SetSupportedTargetsForTest(HWY_AVX2);
   if (argc == 3 && argv[2] == std::string_view("values")) {
     drawWithValues(triangles, kWidth, kHeight, random);
     return 0;
