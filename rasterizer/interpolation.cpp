@@ -23,6 +23,12 @@ bool takesUncut(const Rules& rules) {
   return rules.open || varies || isOpen(rules, Choice::PlanePositions) || rules.choices.planePositions == PlanePositions::SnappedUncut;
 }
 
+// In every legal evaluation, not only in an exact one: z / w of different numbers may be equal, and differ once rounded.
+bool haveEqualDepths(const std::array<const RasterVertex*, 3>& v) {
+  const auto alike = [&](const RasterVertex& a) { return !a.made && a.position.z == v[0]->position.z && a.reciprocalW == v[0]->reciprocalW; };
+  return std::ranges::all_of(v, [&](const RasterVertex* vertex) { return alike(*vertex); });
+}
+
 }  // namespace
 
 PieceValues::PieceValues(const Scene& scene, const SceneNeeds& needs, const Rules& rules, RuleCounts* counts)
@@ -78,6 +84,7 @@ Gradient PieceValues::setUpPlanes(const Corners& v, const TrianglePlane& plane, 
   fillPlanes(v, planes, [&plane](const std::array<double, 3>& values, double inputError, double outside) {
     return plane.through(values, inputError, outside);
   });
+  if (rules_.open && plane.isUndetermined() && !haveEqualDepths(v)) planes.depth.constantRadius = kUnbounded;
   if (!depthStage_.needsBias()) return {};
   return plane.gradient({v[0]->position.z, v[1]->position.z, v[2]->position.z},
                         std::max({v[0]->depthError, v[1]->depthError, v[2]->depthError}));

@@ -22,6 +22,9 @@ class TrianglePlane {
   /// The planes are evaluated around a part of the screen that need not lie inside of the triangle.
   void reachTo(std::span<const RasterVertex> polygon);
 
+  /// Can a legal placement halve the triangle's area, or take it away?
+  [[nodiscard]] bool isUndetermined() const { return t_.undetermined(); }
+
   /// The plane through `values` at the corners, which are known within `inputError`. `outside`: how many pixels outside
   /// of the triangle the plane may be evaluated.
   [[nodiscard]] LinearFunction through(const std::array<double, 3>& values, double inputError, double outside) const;

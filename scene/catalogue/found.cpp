@@ -79,6 +79,14 @@ void addLines(Family& family) {
     scene.state.depthClampEnable = true;
     return scene;
   });
+  family.add("smooth-line-perspective", "a smooth line whose ends have different w: its covered area is one on the screen", {"R33"}, [] {
+    Scene scene = pixel(LINE_LIST, {{0, -4, 2, 4}, {-1, -1, 0.5f, 1}});
+    scene.viewport = {0, 0, 4, 4, 0, 1};
+    scene.state.lineRasterizationMode = LineRasterizationMode::RECTANGULAR_SMOOTH;
+    scene.state.lineWidth = 6;
+    scene.draws[0].varyings = {{.name = "flat", .interpolation = Interpolation::flat, .components = 4, .values = {0, 0, 0, 1, 0, 0, 0, 0}}};
+    return scene;
+  });
   family.add("smooth-line-shader-mask", "a smooth line whose shader masks every sample out", {"R33", "R40"}, [] {
     Scene scene = pixel(LINE_LIST, {{-1, 0, 0, 1}, {1, 0, 0, 1}});
     scene.state.lineRasterizationMode = LineRasterizationMode::RECTANGULAR_SMOOTH;
@@ -135,6 +143,17 @@ void addOutlines(Family& family) {
     useDepth(scene, CompareOp::LESS_OR_EQUAL);
     return scene;
   });
+  family.add("corner-values", "a corner of a triangle without area has its vertex's data", {"R25", "R34"}, [] {
+    Scene scene = outlined(POINT, {{-1, -1, 0, 1}, {-1, -1, 0, 1}, {14.583162f, 14.583162f, 0, 14.583162f}});
+    scene.draws[0].varyings = {one("smooth", Interpolation::smooth, {0, 0, -1})};
+    return scene;
+  });
+  family.add("edge-values-outside-4x", "the edges of a triangle that touches the view volume in one corner: what may be drawn has that corner's data",
+             {"R9", "R34"}, [] {
+               Scene scene = outlined(LINE, {{-1, -1, 0, 1}, {-1, -1, 0, 1}, {1, -1.03125f, 0, 1}}, 4);
+               scene.draws[0].varyings = {{.name = "offset", .interpolation = Interpolation::offset, .components = 1, .values = {0, 0, 1}, .offsetX = 0, .offsetY = -0.3125f}};
+               return scene;
+             });
   family.add("edges-viewport", "the edges of a cut triangle in viewport 1, where the scissor of viewport 0 is elsewhere", {"R34", "R39"}, [] {
     Scene scene = outlined(LINE, {{0, 0, 0, 1}, {0.125f, 3, 0, 1}, {-0.03125f, -1, 0, 1}});
     scene.target.width = 16;

@@ -166,6 +166,31 @@ TEST(ConstantAttributes, StayConstantHoweverThinTheTriangle) {
   }
 }
 
+// A triangle that a legal placement can turn over. Depths that are equal because z and w are, are equal in every evaluation; quotients of
+// different numbers may differ once they are rounded, and then nothing bounds what lies between them.
+TEST(DepthBounds, OfATriangleThatMayHaveNoAreaDependOnWhereEqualDepthsComeFrom) {
+  Limits limits;
+  limits.subPixelPrecisionBits = 4;
+  const Rules rules = Rules::specification(limits);
+  Scene scene = testing::sceneOf({{1, 0}, {0, 2}, {0, 0}}, 1);
+  scene.target.depthFormat = DepthFormat::D32_SFLOAT;
+  scene.state.depthTestEnable = scene.state.depthWriteEnable = true;
+  scene.viewport = {-10, -6, 13, 21.5F, 1, 0};
+  for (const float w : {1.0F, 0.7001728F}) {
+    scene.draws[0].positions = {{0.6923077F * w, -0.44186047F * w, w, w}, {0.53846157F, -0.25581396F, 1, 1}, {0.53846157F, -0.44186047F, 1, 1}};
+    const Frame frame = *render(scene, rules);
+    const Bounds bounds = frame.depthBounds->at(0, 0, 0);
+    ASSERT_EQ(frame.primitive.at(0, 0, 0), 1U);
+    ASSERT_EQ(frame.coverage->at(0, 0, 0), Coverage::Either);
+    EXPECT_LE(bounds.lo, 0);
+    EXPECT_GE(bounds.hi, 0x1p-25F);
+    EXPECT_EQ(std::isinf(bounds.hi), w != 1);
+    if (w == 1) {
+      EXPECT_LE(bounds.hi, 0x1p-20F);
+    }
+  }
+}
+
 TEST(ValueBounds, AreNarrowForTrianglesNearTheOriginWithNothingFree) {
   Scene scene = testing::sceneOf({{0, 0, 0}, {8, 0, 1}, {0, 8, 0.5}}, 8);
   scene.target.depthFormat = DepthFormat::D32_SFLOAT;
