@@ -11,12 +11,12 @@ namespace rasterdiff::harness::hunt {
 namespace {
 
 constexpr std::array<std::string_view, static_cast<size_t>(Trait::Count_)> kNames{
-    "points", "lines", "triangles", "strip", "fan", "indexed", "restart", "several-draws", "several-primitives", "no-area", "between-no-area",
+    "points", "lines", "triangles", "strip", "fan", "indexed", "restart", "several-draws", "several-primitives", "no-area", "between-no-area", "alone-of-three",
     "multisampled", "polygon-line", "polygon-point", "culled", "clockwise", "last-provoking",
     "scissor", "viewport-elsewhere", "viewport-flipped", "depth-range", "several-viewports",
     "leaves-sides", "leaves-depth", "no-positive-w", "perspective", "negative-one-to-one",
     "depth", "depth-unorm", "depth-test", "depth-bias", "depth-clamp", "depth-clip-stated",
-    "wide-line", "bresenham", "rectangular", "smooth-line", "stipple", "large-point", "small-point",
+    "wide-line", "bresenham", "rectangular", "smooth-line", "second-alpha", "stipple", "large-point", "small-point",
     "clip-distance", "cull-distance", "cull-behind-clip", "sample-mask", "sample-mask-at-one-sample", "shader-mask", "shader-mask-shifted", "sample-shading", "alpha-to-coverage", "resolve", "sample-locations",
     "smooth", "noperspective", "flat", "centroid", "sample", "offset",
     "frag-coord", "front-facing", "point-coord", "sample-mask-in", "sample-id", "sample-position",
@@ -80,11 +80,14 @@ class Collector {
     set(Trait::Stipple, state.stippledLineEnable);
   }
 
-  // Triangles with two corners in one place.
+  // Triangles with two corners in one place; of a list of three, two that have all three there.
   void areas(const Draw& draw) {
     const auto same = [&](uint32_t a, uint32_t b) { return draw.positions[a] == draw.positions[b]; };
     bool before = false, between = false;
-    for (const rasterizer::AssembledTriangle& t : rasterizer::assemble(draw, scene_.state)) {
+    const std::vector<rasterizer::AssembledTriangle> all = rasterizer::assemble(draw, scene_.state);
+    const auto inOnePlace = [&](const rasterizer::AssembledTriangle& t) { return same(t.vertices[0], t.vertices[1]) && same(t.vertices[1], t.vertices[2]); };
+    set(Trait::AloneOfThree, scene_.state.topology == PrimitiveTopology::TRIANGLE_LIST && all.size() == 3 && std::ranges::count_if(all, inOnePlace) == 2);
+    for (const rasterizer::AssembledTriangle& t : all) {
       const bool noArea = same(t.vertices[0], t.vertices[1]) || same(t.vertices[1], t.vertices[2]) || same(t.vertices[2], t.vertices[0]);
       set(Trait::BetweenNoArea, noArea && between);
       before = before || noArea;
@@ -160,10 +163,14 @@ class Collector {
 
   void inputs() {
     if (scene_.draws.empty()) return;
-    for (const Varying& varying : scene_.draws.front().varyings) {
+    const std::vector<Varying>& varyings = scene_.draws.front().varyings;
+    for (size_t location = 0; location < varyings.size(); ++location) {
+      const Varying& varying = varyings[location];
+      set(Trait::SecondAlpha, location > 0 && varying.components == 4);
       set(static_cast<Trait>(static_cast<uint8_t>(Trait::Smooth) + static_cast<uint8_t>(varying.interpolation)));
     }
     for (const BuiltIn builtIn : scene_.builtIns) {
+      set(Trait::SecondAlpha, builtIn == BuiltIn::FragCoord);  // location 0 has the primitive's number, or a varying
       set(static_cast<Trait>(static_cast<uint8_t>(Trait::FragCoord) + static_cast<uint8_t>(builtIn)));
     }
   }

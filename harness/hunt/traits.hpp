@@ -12,12 +12,12 @@
 namespace rasterdiff::harness::hunt {
 
 enum class Trait : uint8_t {
-  Points, Lines, Triangles, Strip, Fan, Indexed, Restart, SeveralDraws, SeveralPrimitives, NoArea, BetweenNoArea,
+  Points, Lines, Triangles, Strip, Fan, Indexed, Restart, SeveralDraws, SeveralPrimitives, NoArea, BetweenNoArea, AloneOfThree,
   Multisampled, PolygonLine, PolygonPoint, Culled, Clockwise, LastProvoking,
   Scissor, ViewportElsewhere, ViewportFlipped, DepthRange, SeveralViewports,
   LeavesSides, LeavesDepth, NoPositiveW, Perspective, NegativeOneToOne,
   Depth, DepthUnorm, DepthTest, DepthBias, DepthClamp, DepthClipStated,
-  WideLine, Bresenham, Rectangular, SmoothLine, Stipple, LargePoint, SmallPoint,
+  WideLine, Bresenham, Rectangular, SmoothLine, SecondAlpha, Stipple, LargePoint, SmallPoint,
   ClipDistance, CullDistance, CullBehindClip, SampleMask, SampleMaskAtOneSample, ShaderMask, ShaderMaskShifted, SampleShading, AlphaToCoverage, Resolve, SampleLocations,
   Smooth, NoPerspective, Flat, Centroid, Sample, Offset,
   FragCoord, FrontFacing, PointCoord, SampleMaskIn, SampleId, SamplePosition,

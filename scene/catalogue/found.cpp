@@ -143,6 +143,11 @@ void addOutlines(Family& family) {
     useDepth(scene, CompareOp::LESS_OR_EQUAL);
     return scene;
   });
+  family.add("edges-culled-apart", "a back-facing triangle whose corner is just inside of the view volume: no edge in view is culled", {"R3", "R13", "R34"}, [] {
+    Scene scene = outlined(LINE, {{-17, 3, 0, 1}, {-0.99999976f, 0, 0, 1}, {7, -1, 0, 1}});
+    scene.state.cullMode = CullMode::FRONT;
+    return scene;
+  });
   family.add("corner-values", "a corner of a triangle without area has its vertex's data", {"R25", "R34"}, [] {
     Scene scene = outlined(POINT, {{-1, -1, 0, 1}, {-1, -1, 0, 1}, {14.583162f, 14.583162f, 0, 14.583162f}});
     scene.draws[0].varyings = {one("smooth", Interpolation::smooth, {0, 0, -1})};
@@ -230,11 +235,22 @@ void addTriangles(Family& family) {
     scene.builtIns = {BuiltIn::FragCoord};
     return scene;
   });
+  family.add("facing-of-three", "a front-facing triangle and two that have all corners in one place", {"R12", "R44"}, [] {
+    const ClipPosition a{-1, -1, 0, 1};
+    Scene scene = pixel(TRIANGLE_LIST, {{1, 1, 0, 1}, {1, -1, 0, 1}, a, a, a, a, a, a, a});
+    scene.builtIns = {BuiltIn::FrontFacing};
+    return scene;
+  });
   family.add("clipped-without-area", "a triangle with two corners in one place, whose pieces have an area once clipping and snapping are done", {"R5", "R14", "R23"}, [] {
     Scene scene = pixel(TRIANGLE_LIST, {{0.1625f, 0.171875f, 0, 1}, {0.1625f, 0.171875f, 0, 1}, {-1, -1, 0, 1}});
     scene.viewport = {-15, -12, 80, 64, 0, 1};
     scene.draws[0].clipDistanceCount = 1;
     scene.draws[0].clipDistances = {0, -3, 0.5f};
+    scene.builtIns = {BuiltIn::FragCoord};
+    return scene;
+  });
+  family.add("cut-sliver-frag-coord", "a sliver that reaches far outside, whose snapped corners are in line: z of FragCoord is a number", {"R3", "R14", "R23"}, [] {
+    Scene scene = pixel(TRIANGLE_LIST, {{127.875f, 39.9375f, 0, 1}, {127.875f, 40, 0, 1}, {-32, -10, 0, 1}});
     scene.builtIns = {BuiltIn::FragCoord};
     return scene;
   });

@@ -118,6 +118,37 @@ TEST(Hunt, KnowsCullDistancesThatLieAcrossTwoLocationsBehindClipDistances) {
   }
 }
 
+TEST(Hunt, KnowsTheOneOfThreeTrianglesThatIsOne) {
+  const ClipPosition a{-1, -1, 0.5F, 1}, b{1, 0, 0.5F, 1}, c{-1, 1, 0.5F, 1};
+  const auto isAlone = [](std::vector<ClipPosition> positions, PrimitiveTopology topology = PrimitiveTopology::TRIANGLE_LIST) {
+    Scene scene;
+    scene.state.topology = topology;
+    scene.draws.push_back({.positions = std::move(positions)});
+    return traitsOf(scene).test(static_cast<size_t>(Trait::AloneOfThree));
+  };
+  EXPECT_TRUE(isAlone({a, b, c, a, a, a, b, b, b}));
+  EXPECT_TRUE(isAlone({a, a, a, a, b, c, a, a, a}));
+  EXPECT_FALSE(isAlone({a, b, c, a, a, a, b, b, c}));
+  EXPECT_FALSE(isAlone({a, b, c, a, a, a}));
+  EXPECT_FALSE(isAlone({a, b, c, a, a, a, a, a, a, a, a, a}));
+  EXPECT_FALSE(isAlone({a, b, c, c, c}, PrimitiveTopology::TRIANGLE_STRIP));
+}
+
+TEST(Hunt, NamesLaterOutputsWithAnAlpha) {
+  const auto hasOne = [](std::vector<uint32_t> components, std::vector<BuiltIn> builtIns = {}) {
+    Scene scene;
+    scene.builtIns = std::move(builtIns);
+    scene.draws.resize(1);
+    for (const uint32_t count : components) scene.draws[0].varyings.push_back({.name = "v", .components = count});
+    return traitsOf(scene).test(static_cast<size_t>(Trait::SecondAlpha));
+  };
+  EXPECT_FALSE(hasOne({4}));
+  EXPECT_FALSE(hasOne({4, 3}));
+  EXPECT_TRUE(hasOne({1, 4}));
+  EXPECT_TRUE(hasOne({}, {BuiltIn::FragCoord}));
+  EXPECT_FALSE(hasOne({}, {BuiltIn::FrontFacing}));
+}
+
 TEST(Hunt, EveryWordOfTheBuiltInBaselineIsATrait) {
   size_t stated = 0;
   for (const BaselineEntry& entry : harness::builtInBaseline().entries) {
