@@ -21,7 +21,7 @@ struct Reason {
 class DrawReasons {
  public:
   DrawReasons(const Scene& scene, const Rules& rules, const Draw& draw)
-      : scene_(scene), draw_(draw), volume_(clipVolume(scene.state, draw, rules.error)) {}
+      : scene_(scene), rules_(rules), draw_(draw), volume_(clipVolume(scene.state, draw, rules.error)) {}
 
   [[nodiscard]] Reason of(const AssembledTriangle& primitive) const {
     if (culledByDistance(primitive)) return {Rule::UserDistance, "a cull distance that is negative at all its vertices"};
@@ -39,18 +39,26 @@ class DrawReasons {
       if (primitive.count == 1) return {Rule::PointClip, kPlanes[plane]};
       return {plane >= 4 ? Rule::DepthClip : Rule::ViewVolume, kPlanes[plane]};
     }
+    const Reason facing{Rule::Culling, "its facing, or no area after snapping"};
+    if (any != 0 && scene_.state.cullMode != CullMode::NONE && leavesSome(primitive)) return facing;
     if (any != 0) return {primitive.count == 2 ? Rule::LineClip : Rule::ViewVolume, "several planes that together leave nothing of it"};
     if (behind) return {Rule::ViewVolume, "a w that is not positive"};
     if (primitive.count == 2) return {Rule::LineBresenham, "a length that leaves no pixel"};
-    if (scene_.state.cullMode != CullMode::NONE) return {Rule::Culling, "its facing, or no area after snapping"};
+    if (scene_.state.cullMode != CullMode::NONE) return facing;
     return {Rule::SampleCoverage, "no area after snapping"};
   }
 
  private:
-  [[nodiscard]] unsigned codeOf(uint32_t vertex) const {
-    const std::span<const float> distances =
-        std::span(draw_.clipDistances).subspan(size_t{vertex} * draw_.clipDistanceCount, volume_.distances);
-    return outcode({draw_.positions[vertex], distances}, volume_);
+  [[nodiscard]] ClipInput inputOf(uint32_t vertex) const {
+    return {draw_.positions[vertex], std::span(draw_.clipDistances).subspan(size_t{vertex} * draw_.clipDistanceCount, volume_.distances)};
+  }
+  [[nodiscard]] unsigned codeOf(uint32_t vertex) const { return outcode(inputOf(vertex), volume_); }
+  /// Does clipping leave something of a triangle?
+  [[nodiscard]] bool leavesSome(const AssembledTriangle& primitive) const {
+    if (primitive.count != 3) return false;
+    const std::array<ClipInput, 3> triangle{inputOf(primitive.vertices[0]), inputOf(primitive.vertices[1]), inputOf(primitive.vertices[2])};
+    ClipPolygon polygon;
+    return clipTriangle(triangle, rules_.choices.clipArithmetic, volume_, polygon) != ClipOutcome::Rejected && polygon.size >= 3;
   }
   [[nodiscard]] bool culledByDistance(const AssembledTriangle& primitive) const {
     for (uint32_t d = 0; d < draw_.cullDistanceCount; ++d) {
@@ -64,6 +72,7 @@ class DrawReasons {
   }
 
   const Scene& scene_;
+  const Rules& rules_;
   const Draw& draw_;
   const ClipVolume volume_;
 };

@@ -148,6 +148,13 @@ void addOutlines(Family& family) {
     scene.state.cullMode = CullMode::FRONT;
     return scene;
   });
+  family.add("edges-behind-eye-culled", "a triangle with a vertex behind the eye: what of it is in view is culled by how it turns there", {"R12", "R13", "R34"}, [] {
+    Scene scene = outlined(LINE, {{7, -1, 0.5f, 1}, {-1.5f, -1, -0.5f, -1}, {1, 0.75f, 0.5f, 1}});
+    scene.target.width = scene.target.height = 4;
+    scene.viewport = {0, 0, 4, 4, 0, 1};
+    scene.state.cullMode = CullMode::FRONT;
+    return scene;
+  });
   family.add("corner-values", "a corner of a triangle without area has its vertex's data", {"R25", "R34"}, [] {
     Scene scene = outlined(POINT, {{-1, -1, 0, 1}, {-1, -1, 0, 1}, {14.583162f, 14.583162f, 0, 14.583162f}});
     scene.draws[0].varyings = {one("smooth", Interpolation::smooth, {0, 0, -1})};

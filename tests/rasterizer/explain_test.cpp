@@ -67,6 +67,17 @@ TEST(Explain, NamesThePrimitiveThatDividesByZeroAndItsFreedom) {
   EXPECT_TRUE(e.rejections.empty());
 }
 
+// A triangle that leaves the view volume is rejected by its facing if clipping leaves something of it, otherwise by the volume.
+TEST(Explain, NamesWhatRejectedAPrimitiveThatLeavesTheViewVolume) {
+  Scene scene = testing::sceneOf({{-4, 1}, {6, 1}, {1, 6}}, 8);
+  scene.state.polygonMode = PolygonMode::LINE;
+  const auto rejectedBy = [&] { return explain(scene, testing::referenceRules(), {1, 1, 0})->rejections.at(0).rule; };
+  scene.state.cullMode = CullMode::FRONT_AND_BACK;
+  EXPECT_EQ(rejectedBy(), Rule::Culling);
+  scene.draws[0].positions = testing::sceneOf({{-4, 2}, {2, -4}, {-4, -4}}, 8).draws[0].positions;
+  EXPECT_EQ(rejectedBy(), Rule::ViewVolume);
+}
+
 TEST(Explain, TieOwnersMatchTheFrame) {
   const Scene scene = testing::sceneOf({{1.5, 1.5}, {5.5, 1.5}, {5.5, 5.5}, {1.5, 1.5}, {5.5, 5.5}, {1.5, 5.5}}, 8);
   const SampleExplanation e = *explain(scene, testing::referenceRules(), {3, 3, 0});
