@@ -55,6 +55,7 @@ Result<std::unique_ptr<Device>> openManifest(const std::string& manifest, const 
   Result<std::unique_ptr<PipelineCache>> pipelines = PipelineCache::create(made);
   if (!pipelines) return tl::unexpected(pipelines.error());
   impl->pipelines = std::move(*pipelines);
+  impl->mostPipelines = options.mostPipelines;
   Result<std::unique_ptr<Unpack>> unpack = Unpack::create(made, impl->pipelines->driverCache());
   if (!unpack) return tl::unexpected(unpack.error());
   impl->unpack = std::move(*unpack);

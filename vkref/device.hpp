@@ -17,6 +17,7 @@ struct DeviceOptions {
   std::string driver = "lavapipe";  ///< "lavapipe", "swiftshader" or the path of an ICD manifest (*.json)
   bool validate = false;            ///< Khronos validation layer with synchronization validation
   double timeoutSeconds = 20;       ///< for one submit
+  size_t mostPipelines = 512;       ///< that are kept: bounds the memory of a long search
 };
 
 struct DriverInfo {

@@ -21,6 +21,7 @@ struct Device::Impl {
   std::unique_ptr<Instance> instance;
   std::unique_ptr<Context> context;
   std::unique_ptr<PipelineCache> pipelines;
+  size_t mostPipelines = 0;
   std::unique_ptr<Unpack> unpack;
   std::unique_ptr<DepthFetches> depthFetches;
   std::unique_ptr<Submission> submission;

@@ -8,8 +8,6 @@
 namespace rasterdiff::vkref {
 namespace {
 
-constexpr size_t kMaxPipelines = 512;  ///< then all are dropped: bounds the memory of a long search
-
 /// What every pipeline leaves to commands.cpp; stippled ones also the stipple.
 constexpr std::array kDynamicStates = {
     VK_DYNAMIC_STATE_VIEWPORT,           VK_DYNAMIC_STATE_SCISSOR,
@@ -76,9 +74,12 @@ Result<VkPipeline> PipelineCache::get(const PipelineKey& key) {
   Result<OwnedPipeline> made = make(key);
   seconds_ += watch.lap();
   if (!made) return tl::unexpected(made.error());
-  if (pipelines_.size() >= kMaxPipelines) pipelines_.clear();
   ++created_;
   return pipelines_.emplace(key, std::move(*made)).first->second.get();
+}
+
+void PipelineCache::dropIfMore(size_t most) {
+  if (pipelines_.size() > most) pipelines_.clear();
 }
 
 Result<OwnedPipeline> PipelineCache::make(const PipelineKey& key) const {

@@ -18,8 +18,10 @@ class PipelineCache {
  public:
   [[nodiscard]] static Result<std::unique_ptr<PipelineCache>> create(const Context& context);
 
-  /// Made on first use. The handle is good until the next call. Error: DeviceLost, NotOffered (memory).
+  /// Made on first use. The handle is good until they are dropped. Error: DeviceLost, NotOffered (memory).
   [[nodiscard]] Result<VkPipeline> get(const PipelineKey& key);
+  /// Drops all if they are more than `most`. Not while there are commands with them that have not ended.
+  void dropIfMore(size_t most);
   [[nodiscard]] VkPipelineLayout layout() const { return layout_.get(); }
   [[nodiscard]] VkPipelineCache driverCache() const { return driverCache_.get(); }
   [[nodiscard]] uint32_t created() const { return created_; }  ///< since the device was opened

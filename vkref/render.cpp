@@ -92,6 +92,7 @@ class Together {
   }
 
   Result<void> drawAll(std::vector<Prepared> prepared) {
+    impl_.pipelines->dropIfMore(impl_.mostPipelines);  // what was drawn before has ended
     const Result<VkCommandBuffer> commands = impl_.submission->begin();
     if (!commands) {
       recorded_ = std::move(prepared);

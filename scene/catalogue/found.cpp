@@ -79,14 +79,6 @@ void addLines(Family& family) {
     scene.state.depthClampEnable = true;
     return scene;
   });
-  family.add("smooth-line-perspective", "a smooth line whose ends have different w: its covered area is one on the screen", {"R33"}, [] {
-    Scene scene = pixel(LINE_LIST, {{0, -4, 2, 4}, {-1, -1, 0.5f, 1}});
-    scene.viewport = {0, 0, 4, 4, 0, 1};
-    scene.state.lineRasterizationMode = LineRasterizationMode::RECTANGULAR_SMOOTH;
-    scene.state.lineWidth = 6;
-    scene.draws[0].varyings = {{.name = "flat", .interpolation = Interpolation::flat, .components = 4, .values = {0, 0, 0, 1, 0, 0, 0, 0}}};
-    return scene;
-  });
   family.add("smooth-line-shader-mask", "a smooth line whose shader masks every sample out", {"R33", "R40"}, [] {
     Scene scene = pixel(LINE_LIST, {{-1, 0, 0, 1}, {1, 0, 0, 1}});
     scene.state.lineRasterizationMode = LineRasterizationMode::RECTANGULAR_SMOOTH;

@@ -86,6 +86,21 @@ TEST_P(DriverTogether, CostsAreThoseOfAllScenes) {
   for (const double seconds : {cost.uploadSeconds, cost.drawSeconds, cost.readbackSeconds}) EXPECT_GT(seconds, 0);
 }
 
+/// Not while a scene of several passes is recorded, whose earlier ones would be left without theirs.
+TEST_P(DriverTogether, PipelinesAreDroppedBetweenScenes) {
+  Result<std::unique_ptr<Device>> forgetful = openDevice({GetParam(), false, 20, /*mostPipelines=*/0});
+  ASSERT_TRUE(forgetful.has_value());
+  for (const Scene& scene : someScenes()) {
+    const Result<Frame> expected = render(scene, device());
+    for (int again = 0; expected && again < 2; ++again) {
+      const Result<Frame> actual = render(scene, **forgetful);
+      ASSERT_TRUE(actual.has_value()) << scene.name;
+      EXPECT_TRUE(sameBits(*expected, *actual)) << scene.name;
+      EXPECT_GT((*forgetful)->lastCost().pipelinesCreated, 0U) << scene.name << ": each time they are made anew";
+    }
+  }
+}
+
 TEST_P(DriverTogether, NoSceneIsNothing) { EXPECT_TRUE(renderTogether({}, device()).empty()); }
 
 /// How 24-bit depths of several samples come is asked of the device before any scene is recorded.
