@@ -25,8 +25,7 @@ bool takesUncut(const Rules& rules) {
 
 // In every legal evaluation, not only in an exact one: z / w of different numbers may be equal, and differ once rounded.
 bool haveEqualDepths(const std::array<const RasterVertex*, 3>& v) {
-  const auto alike = [&](const RasterVertex& a) { return !a.made && a.position.z == v[0]->position.z && a.reciprocalW == v[0]->reciprocalW; };
-  return std::ranges::all_of(v, [&](const RasterVertex* vertex) { return alike(*vertex); });
+  return std::ranges::all_of(v, [&](const RasterVertex* a) { return !a->made && a->position.z == v[0]->position.z && a->reciprocalW == v[0]->reciprocalW; });
 }
 
 }  // namespace

@@ -145,13 +145,15 @@ class Collector {
     set(Trait::SampleLocations, scene_.target.sampleLocations.has_value());
   }
 
-  /// Laid out one after the other, four a location: do cull distances begin where clip distances have not filled the first one?
-  static bool startsAmongFour(const Draw& draw) { return draw.clipDistanceCount > 0 && draw.clipDistanceCount < 4 && draw.cullDistanceCount > 0; }
+  /// Laid out one after the other, four a location: do cull distances begin behind clip distances in the first one, and end in the second?
+  static bool cullLiesAcross(const Draw& draw) {
+    return draw.clipDistanceCount > 0 && draw.clipDistanceCount < 4 && draw.clipDistanceCount + draw.cullDistanceCount > 4;
+  }
 
   void vertices(const Draw& draw) {
     set(Trait::ClipDistance, draw.clipDistanceCount > 0);
     set(Trait::CullDistance, draw.cullDistanceCount > 0);
-    set(Trait::CullBehindClip, startsAmongFour(draw) && draw.clipDistanceCount + draw.cullDistanceCount > 4);
+    set(Trait::CullBehindClip, cullLiesAcross(draw));
     for (const ClipPosition& p : draw.positions) {
       set(Trait::NonFinite, !std::isfinite(p.x + p.y + p.z + p.w));
       set(Trait::NoPositiveW, !(p.w > 0));

@@ -115,10 +115,10 @@ void writeSuspicion(Out out, const Suspicion& suspicion) {
                  left == 0 ? "all" : grouped(suspicion.differing - left), grouped(suspicion.differing));
 }
 
-const char* scissorNote(const rasterizer::SampleExplanation& sample) {
+std::string scissorNote(const rasterizer::SampleExplanation& sample) {
   if (sample.insideScissor) return "";
   const bool covered = std::ranges::any_of(sample.primitives, &rasterizer::PrimitiveExplanation::covered);
-  return covered ? ", OUTSIDE THE SCISSOR [vk:fragops-scissor], WHICH THESE RULES LET IT THROUGH" : ", OUTSIDE THE SCISSOR [vk:fragops-scissor]";
+  return fmt::format(", OUTSIDE THE SCISSOR [vk:fragops-scissor]{}", covered ? ", WHICH THESE RULES LET IT THROUGH" : "");
 }
 
 }  // namespace

@@ -121,15 +121,16 @@ std::unique_ptr<Shape> makePointShape(const ClipPosition& position, const Raster
                                       const PointSize& size, const VertexStage& stage) {
   // Half sides in 1/256 pixel, on the grid that ceilingExactly takes.
   const auto halfSide = [](float side) { return std::nearbyint(double{side} * 128 * 1024) / 1024; };
-  const double half = halfSide(size.nominal);
+  const PointArithmetic arithmetic = stage.rules.choices.pointArithmetic;
+  const float drawn = size.drawn(arithmetic);
+  const double half = halfSide(drawn);
   const auto axis = [&](float coordinate, const ViewportAxis& viewportAxis, double place, float inFloat, int32_t snapped,
                         int32_t lowest, int32_t highest, bool ownsLow) {
     SquarePoint::Axis result;
     result.low = place * kSubpixelOne - half;
     result.high = place * kSubpixelOne + half;
-    const PointArithmetic arithmetic = stage.rules.choices.pointArithmetic;
     if (arithmetic == PointArithmetic::SnappedCentre || arithmetic == PointArithmetic::SnappedCentreEven) {
-      result.nominal = aroundSnapped(inFloat, size.requested, arithmetic == PointArithmetic::SnappedCentreEven, stage);
+      result.nominal = aroundSnapped(inFloat, drawn, arithmetic == PointArithmetic::SnappedCentreEven, stage);
       result.low = static_cast<double>(result.nominal.low);
       result.high = static_cast<double>(result.nominal.high);
     } else if (arithmetic == PointArithmetic::SnappedCorners) {
@@ -139,7 +140,7 @@ std::unique_ptr<Shape> makePointShape(const ClipPosition& position, const Raster
       result.high = static_cast<double>(snapped + side);
       result.nominal = {snapped - side + shift, snapped + side + shift};
     } else if (arithmetic == PointArithmetic::ClipCorners) {
-      result.nominal = clipCorners(coordinate, position.w, viewportAxis, size.requested, ownsLow, stage);
+      result.nominal = clipCorners(coordinate, position.w, viewportAxis, drawn, ownsLow, stage);
       result.low = static_cast<double>(result.nominal.low);
       result.high = static_cast<double>(result.nominal.high);
     } else if (stage.rules.error == DeliberateError::PointRounded) {

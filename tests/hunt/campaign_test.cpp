@@ -88,20 +88,25 @@ TEST(Hunt, AnEntryExplainsNeitherOtherPlanesNorOtherDriversNorOtherTraits) {
   EXPECT_FALSE(known("mutant", "coverage/extra", "triangles"));
 }
 
+bool has(const Scene& scene, Trait trait) { return traitsOf(scene).test(static_cast<size_t>(trait)); }
+
+/// Of triangles at these places.
+bool has(std::vector<ClipPosition> positions, Trait trait, PrimitiveTopology topology = PrimitiveTopology::TRIANGLE_LIST) {
+  Scene scene;
+  scene.state.topology = topology;
+  scene.draws.push_back({.positions = std::move(positions)});
+  return has(scene, trait);
+}
+
+const ClipPosition a{-1, -1, 0.5F, 1}, b{1, 0, 0.5F, 1}, c{-1, 1, 0.5F, 1};
+
 TEST(Hunt, KnowsTrianglesBetweenTwoWithoutArea) {
-  const ClipPosition a{-1, -1, 0.5F, 1}, b{1, 0, 0.5F, 1}, c{-1, 1, 0.5F, 1};
-  const auto isBetween = [](std::vector<ClipPosition> positions, PrimitiveTopology topology = PrimitiveTopology::TRIANGLE_LIST) {
-    Scene scene;
-    scene.state.topology = topology;
-    scene.draws.push_back({.positions = std::move(positions)});
-    return traitsOf(scene).test(static_cast<size_t>(Trait::BetweenNoArea));
-  };
-  EXPECT_TRUE(isBetween({a, a, a, a, b, c, b, b, c}));
-  EXPECT_TRUE(isBetween({a, a, b, c, c}, PrimitiveTopology::TRIANGLE_STRIP));
-  EXPECT_FALSE(isBetween({a, b, c, a, a, a, b, b, b}));
-  EXPECT_FALSE(isBetween({a, a, a, b, b, b, a, b, c}));
-  EXPECT_FALSE(isBetween({a, b, c, a, b, c, a, b, c}));
-  EXPECT_FALSE(isBetween({a, a, a, b, c, c}, PrimitiveTopology::LINE_LIST));
+  EXPECT_TRUE(has({a, a, a, a, b, c, b, b, c}, Trait::BetweenNoArea));
+  EXPECT_TRUE(has({a, a, b, c, c}, Trait::BetweenNoArea, PrimitiveTopology::TRIANGLE_STRIP));
+  EXPECT_FALSE(has({a, b, c, a, a, a, b, b, b}, Trait::BetweenNoArea));
+  EXPECT_FALSE(has({a, a, a, b, b, b, a, b, c}, Trait::BetweenNoArea));
+  EXPECT_FALSE(has({a, b, c, a, b, c, a, b, c}, Trait::BetweenNoArea));
+  EXPECT_FALSE(has({a, a, a, b, c, c}, Trait::BetweenNoArea, PrimitiveTopology::LINE_LIST));
 }
 
 // Where lavapipe goes wrong: four distances a location, and cull distances that lie across two after clip distances in the first.
@@ -113,25 +118,18 @@ TEST(Hunt, KnowsCullDistancesThatLieAcrossTwoLocationsBehindClipDistances) {
       scene.draws[0].clipDistanceCount = clips;
       scene.draws[0].cullDistanceCount = culls;
       const bool across = culls > 0 && clips > 0 && clips < 4 && clips + culls > 4;
-      EXPECT_EQ(traitsOf(scene).test(static_cast<size_t>(Trait::CullBehindClip)), across) << clips << " and " << culls;
+      EXPECT_EQ(has(scene, Trait::CullBehindClip), across) << clips << " and " << culls;
     }
   }
 }
 
 TEST(Hunt, KnowsTheOneOfThreeTrianglesThatIsOne) {
-  const ClipPosition a{-1, -1, 0.5F, 1}, b{1, 0, 0.5F, 1}, c{-1, 1, 0.5F, 1};
-  const auto isAlone = [](std::vector<ClipPosition> positions, PrimitiveTopology topology = PrimitiveTopology::TRIANGLE_LIST) {
-    Scene scene;
-    scene.state.topology = topology;
-    scene.draws.push_back({.positions = std::move(positions)});
-    return traitsOf(scene).test(static_cast<size_t>(Trait::AloneOfThree));
-  };
-  EXPECT_TRUE(isAlone({a, b, c, a, a, a, b, b, b}));
-  EXPECT_TRUE(isAlone({a, a, a, a, b, c, a, a, a}));
-  EXPECT_FALSE(isAlone({a, b, c, a, a, a, b, b, c}));
-  EXPECT_FALSE(isAlone({a, b, c, a, a, a}));
-  EXPECT_FALSE(isAlone({a, b, c, a, a, a, a, a, a, a, a, a}));
-  EXPECT_FALSE(isAlone({a, b, c, c, c}, PrimitiveTopology::TRIANGLE_STRIP));
+  EXPECT_TRUE(has({a, b, c, a, a, a, b, b, b}, Trait::AloneOfThree));
+  EXPECT_TRUE(has({a, a, a, a, b, c, a, a, a}, Trait::AloneOfThree));
+  EXPECT_FALSE(has({a, b, c, a, a, a, b, b, c}, Trait::AloneOfThree));
+  EXPECT_FALSE(has({a, b, c, a, a, a}, Trait::AloneOfThree));
+  EXPECT_FALSE(has({a, b, c, a, a, a, a, a, a, a, a, a}, Trait::AloneOfThree));
+  EXPECT_FALSE(has({a, b, c, c, c}, Trait::AloneOfThree, PrimitiveTopology::TRIANGLE_STRIP));
 }
 
 TEST(Hunt, NamesLaterOutputsWithAnAlpha) {
@@ -140,7 +138,7 @@ TEST(Hunt, NamesLaterOutputsWithAnAlpha) {
     scene.builtIns = std::move(builtIns);
     scene.draws.resize(1);
     for (const uint32_t count : components) scene.draws[0].varyings.push_back({.name = "v", .components = count});
-    return traitsOf(scene).test(static_cast<size_t>(Trait::SecondAlpha));
+    return has(scene, Trait::SecondAlpha);
   };
   EXPECT_FALSE(hasOne({4}));
   EXPECT_FALSE(hasOne({4, 3}));
